@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "algo/mesh_points.hpp"
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <utility>
+
+#include "algo/quadrangulation.hpp"
+#include "algo/template_tree.hpp"
+
+namespace quadbound {
+namespace {
+
+struct SiteCells {
+  Cell centre;
+  std::array<Cell, 4> neighbour;
+};
+
+std::vector<SiteCells> site_cells(const SeparatedTree& separated) {
+  std::vector<SiteCells> sites;
+  sites.reserve(separated.cell_of_point.size());
+  for (const Cell cell : separated.cell_of_point) {
+    SiteCells site{cell, {}};
+    for (const Direction d : kDirections) site.neighbour[d] = *separated.tree.neighbour(cell, d);
+    sites.push_back(site);
+  }
+  return sites;
+}
+
+/// Names the cells by nodes of the template tree, so that the quadtree can be freed.
+void rename_cells(std::vector<SiteCells>& sites, const TemplateTree& tree) {
+  for (SiteCells& site : sites) {
+    site.centre.block = tree.node_of(site.centre.block);
+    for (Cell& cell : site.neighbour) cell.block = tree.node_of(cell.block);
+  }
+}
+
+std::vector<WarpSite> warp_sites(const std::vector<SiteCells>& sites, const TemplateTree& tree) {
+  const auto centre = [&tree](Cell cell) { return tree.centre(cell.block, cell.quadrant); };
+  std::vector<WarpSite> result;
+  result.reserve(sites.size());
+  for (const SiteCells& site : sites) {
+    WarpSite warp{centre(site.centre), {}};
+    for (const Direction d : kDirections) warp.neighbour[d] = centre(site.neighbour[d]);
+    result.push_back(warp);
+  }
+  return result;
+}
+
+PointMesh build(const PointSet& points, const PointMeshOptions& options) {
+  const PlacedPoints placed = place_root(points.points);
+  std::optional<SeparatedTree> separated =
+      separate_points(placed, options.refinement, options.budget);
+  PointMesh result;
+  result.root = placed.root;
+  result.counters.splits = separated->tree.blocks().size();
+  result.counters.refinement_splits = separated->refinement_splits;
+  std::vector<SiteCells> cells = site_cells(*separated);
+  TemplateTree tree(separated->tree);
+  rename_cells(cells, tree);
+  separated.reset();  // the largest part of the memory, not needed any more
+  result.mesh = quadrangulate(tree, placed.root, options.two_two, result.counters);
+  result.mesh.input_vertices = points.points.size();
+  const std::vector<WarpSite> sites = warp_sites(cells, tree);
+  warp(result.mesh, points.points, sites, options.warping, result.counters);
+  for (const WarpSite& site : sites) result.vertex_of_point.push_back(site.centre);
+  return result;
+}
+
+std::string explain(const TreeBudgetExceeded& exceeded, const Point& where, const Budget& budget) {
+  const std::string place =
+      fmt::format("near ({}, {}) at level {}", where.x, where.y, exceeded.level);
+  switch (exceeded.kind) {
+    case RefusalKind::kTooDeep:
+      return fmt::format(
+          "two points {} are too close for the extent of the whole set: cells would be smaller "
+          "than "
+          "the 2^-60 of it that exact coordinates hold; merge the points or mesh them apart",
+          place);
+    case RefusalKind::kTooManyCells:
+      return fmt::format(
+          "the budget of {} cells ran out {}; raise --max-cells or thin out close points",
+          budget.max_cells, place);
+    case RefusalKind::kTooMuchTime:
+      return fmt::format("the budget of {} seconds ran out {}; raise --max-seconds",
+                         budget.max_seconds, place);
+  }
+  return {};
+}
+
+}  // namespace
+
+PointMeshResult mesh_points(const PointSet& points, const PointMeshOptions& options) {
+  try {
+    return build(points, options);
+  } catch (const TreeBudgetExceeded& exceeded) {
+    const int exponent = place_root(points.points).root.exponent;
+    const Point where{nearest_double(exceeded.where.x, exponent),
+                      nearest_double(exceeded.where.y, exponent)};
+    return Refusal{exceeded.kind, where, exceeded.level, explain(exceeded, where, options.budget)};
+  }
+}
+
+}  // namespace quadbound

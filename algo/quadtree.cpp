@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "algo/quadtree.hpp"
+
+#include <utility>
+
+namespace quadbound {
+namespace {
+
+constexpr bool is_horizontal(Direction d) { return d == kEast || d == kWest; }
+
+/// The quadrant that a step in a direction leads to, in the same or in the neighbouring node.
+constexpr Quadrant mirrored(Quadrant q, Direction d) {
+  return is_horizontal(d) ? quadrant(!is_east(q), is_north(q)) : quadrant(is_east(q), !is_north(q));
+}
+
+/// Whether a step in a direction from a quadrant leaves the node.
+constexpr bool leaves_node(Quadrant q, Direction d) {
+  return is_horizontal(d) ? is_east(q) == (d == kEast) : is_north(q) == (d == kNorth);
+}
+
+}  // namespace
+
+Quadtree::Quadtree(const RootSquare& root, std::vector<LatticePoint> points,
+                   std::uint64_t max_leaves)
+    : root_(root),
+      points_(std::move(points)),
+      next_point_(points_.size(), kEmptyLeaf),
+      max_leaves_(max_leaves) {
+  blocks_.push_back({{kEmptyLeaf, kEmptyLeaf, kEmptyLeaf, kEmptyLeaf},
+                     {kNone, kNone, kNone, kNone},
+                     root.corner,
+                     kNone,
+                     kNorthEast,
+                     0});
+  // From the last to the first, so that the lists of the leaves are in the order of the points.
+  std::uint32_t all = kEmptyLeaf;
+  for (std::size_t i = points_.size(); i-- > 0;) {
+    next_point_[i] = all == kEmptyLeaf ? kEmptyLeaf : all & ~kLeaf;
+    all = kLeaf | static_cast<std::uint32_t>(i);
+  }
+  distribute(0, all);
+}
+
+LatticePoint Quadtree::corner(Cell cell) const {
+  const LatticePoint low = blocks_[cell.block].corner;
+  const std::int64_t side = std::int64_t{1} << side_bits(cell);
+  return {low.x + (is_east(cell.quadrant) ? side : 0),
+          low.y + (is_north(cell.quadrant) ? side : 0)};
+}
+
+std::optional<Cell> Quadtree::neighbour(Cell cell, Direction direction) const {
+  const Quadrant there = mirrored(cell.quadrant, direction);
+  if (!leaves_node(cell.quadrant, direction)) return Cell{cell.block, there};
+  const BlockId block = blocks_[cell.block].neighbour[direction];
+  if (block == kNone) return std::nullopt;
+  return Cell{block, there};
+}
+
+std::optional<Cell> Quadtree::extended_neighbour(Cell cell, int dx, int dy) const {
+  const Direction horizontal = dx > 0 ? kEast : kWest;
+  const Direction vertical = dy > 0 ? kNorth : kSouth;
+  if (dx == 0) return neighbour(cell, vertical);
+  if (dy == 0) return neighbour(cell, horizontal);
+  if (const auto beside = neighbour(cell, horizontal)) {
+    if (const auto corner = neighbour(*beside, vertical)) return corner;
+  }
+  if (const auto above = neighbour(cell, vertical)) return neighbour(*above, horizontal);
+  return std::nullopt;
+}
+
+BlockId Quadtree::add_block(Cell cell, LatticePoint corner, std::uint8_t level) {
+  const BlockId id = static_cast<BlockId>(blocks_.size());
+  blocks_.push_back({{kEmptyLeaf, kEmptyLeaf, kEmptyLeaf, kEmptyLeaf},
+                     {kNone, kNone, kNone, kNone},
+                     corner,
+                     cell.block,
+                     cell.quadrant,
+                     level});
+  return id;
+}
+
+void Quadtree::link(BlockId id) {
+  const Cell cell{blocks_[id].parent, blocks_[id].quadrant};
+  for (const Direction direction : kDirections) {
+    const auto there = neighbour(cell, direction);
+    if (!there || is_leaf(*there)) continue;
+    const BlockId other = content(*there);
+    blocks_[id].neighbour[direction] = other;
+    blocks_[other].neighbour[reversed(direction)] = id;
+  }
+}
+
+void Quadtree::distribute(BlockId id, std::uint32_t content) {
+  if (content == kEmptyLeaf) return;
+  Block& block = blocks_[id];
+  const std::int64_t half = std::int64_t{1} << (root_.side_bits - 1 - block.level);
+  const LatticePoint middle{block.corner.x + half, block.corner.y + half};
+  std::array<PointId, 4> last{kEmptyLeaf, kEmptyLeaf, kEmptyLeaf, kEmptyLeaf};
+  for (PointId id_in_list = content & ~kLeaf; id_in_list != kEmptyLeaf;) {
+    const PointId following = next_point_[id_in_list];
+    const LatticePoint at = points_[id_in_list];
+    const Quadrant q = quadrant(at.x >= middle.x, at.y >= middle.y);
+    if (last[q] == kEmptyLeaf) {
+      block.child[q] = kLeaf | id_in_list;
+    } else {
+      next_point_[last[q]] = id_in_list;
+    }
+    next_point_[id_in_list] = kEmptyLeaf;
+    last[q] = id_in_list;
+    id_in_list = following;
+  }
+}
+
+bool Quadtree::on_root_border(BlockId block, Direction direction) const {
+  const Block& b = blocks_[block];
+  const std::int64_t root_side = std::int64_t{1} << root_.side_bits;
+  const std::int64_t side = root_side >> b.level;
+  switch (direction) {
+    case kEast:
+      return b.corner.x + side == root_.corner.x + root_side;
+    case kNorth:
+      return b.corner.y + side == root_.corner.y + root_side;
+    case kWest:
+      return b.corner.x == root_.corner.x;
+    case kSouth:
+      return b.corner.y == root_.corner.y;
+  }
+  return false;
+}
+
+void Quadtree::split(Cell cell, std::vector<Cell>& changed) {
+  const std::uint32_t held = content(cell);
+  const LatticePoint low = corner(cell);
+  const int level = blocks_[cell.block].level + 1;
+  if (side_bits(cell) <= kFinestSideBits)
+    throw TreeBudgetExceeded{RefusalKind::kTooDeep, low, level};
+  if (leaf_count() + 3 > max_leaves_)
+    throw TreeBudgetExceeded{RefusalKind::kTooManyCells, low, level};
+  const BlockId id = add_block(cell, low, static_cast<std::uint8_t>(level));
+  blocks_[cell.block].child[cell.quadrant] = id;
+  distribute(id, held);
+  link(id);
+  changed.push_back(cell);
+  for (const Direction direction : kDirections) make_neighbour(cell, direction, changed);
+}
+
+std::optional<Cell> Quadtree::make_neighbour(Cell cell, Direction direction,
+                                             std::vector<Cell>& changed) {
+  if (const auto there = neighbour(cell, direction)) return there;
+  if (on_root_border(cell.block, direction)) return std::nullopt;
+  // Condition C: the parent is an internal node, so its neighbour exists; it is the leaf in the
+  // way.
+  const Cell parent{blocks_[cell.block].parent, blocks_[cell.block].quadrant};
+  split(*neighbour(parent, direction), changed);
+  return neighbour(cell, direction);
+}
+
+}  // namespace quadbound

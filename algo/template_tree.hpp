@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// The finished quadtree as Section 2.2 reads it: nodes in depth-first order, leaves numbered by the
+// mesh vertices at their centres, and what becomes of each leaf's outer extra point.
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "algo/construction.hpp"
+#include "algo/quadtree.hpp"
+#include "model/mesh.hpp"
+
+namespace quadbound {
+
+using NodeId = std::uint32_t;
+
+/// What the stitching does to a leaf's outer extra point. A mirrored point is reflected across the
+/// side of its cell into the cell beyond it (Fig. 8b, 8c), in x or in y.
+enum class ExtraFate : std::uint8_t { kKept = 0, kMirroredX = 1, kMirroredY = 2, kDropped = 3 };
+
+/// A node or leaf as seen from its parent.
+struct CellRef {
+  std::uint32_t ref;  ///< NodeId, or Quadtree::kLeaf | centre vertex
+  NodeId parent;
+  Quadrant quadrant;
+  std::uint8_t level;
+  [[nodiscard]] bool is_leaf() const { return (ref & Quadtree::kLeaf) != 0; }
+};
+
+class TemplateTree {
+ public:
+  /// Complexity: linear; 17 bytes per internal node.
+  explicit TemplateTree(const Quadtree& tree);
+
+  [[nodiscard]] std::size_t size() const { return children_.size(); }
+  [[nodiscard]] std::uint64_t leaf_count() const { return 3 * std::uint64_t{children_.size()} + 1; }
+  [[nodiscard]] NodeId node_of(BlockId block) const { return node_of_block_[block]; }
+  [[nodiscard]] const std::array<std::uint32_t, 4>& children(NodeId node) const {
+    return children_[node];
+  }
+
+  [[nodiscard]] CellRef child(NodeId node, Quadrant q, std::uint8_t child_level) const {
+    return {children_[node][q], node, q, child_level};
+  }
+  /// Requires: !cell.is_leaf().
+  [[nodiscard]] CellRef child(const CellRef& cell, Quadrant q) const {
+    return child(cell.ref, q, static_cast<std::uint8_t>(cell.level + 1));
+  }
+
+  [[nodiscard]] bool is_t4(NodeId node) const {
+    const auto& c = children_[node];
+    return (c[0] & c[1] & c[2] & c[3] & Quadtree::kLeaf) != 0;
+  }
+  /// T1, T2a, T2b and T3 give every leaf child an outer extra point, T4 none.
+  [[nodiscard]] bool has_outer_extra(const CellRef& leaf) const { return !is_t4(leaf.parent); }
+
+  [[nodiscard]] ExtraFate fate(NodeId node, Quadrant q) const {
+    return static_cast<ExtraFate>((fates_[node] >> (2 * q)) & 3U);
+  }
+  void set_fate(NodeId node, Quadrant q, ExtraFate fate);
+  void set_centre(NodeId node, Quadrant q, VertexId vertex) {
+    children_[node][q] = Quadtree::kLeaf | vertex;
+  }
+  [[nodiscard]] VertexId centre(NodeId node, Quadrant q) const {
+    return children_[node][q] & ~Quadtree::kLeaf;
+  }
+
+ private:
+  NodeId copy(const Quadtree& tree, BlockId block);
+
+  std::vector<std::array<std::uint32_t, 4>> children_;
+  std::vector<std::uint8_t> fates_;  ///< two bits per child
+  std::vector<NodeId> node_of_block_;
+};
+
+/// Which template a node takes: the number of its leaf children, and for two of them whether they
+/// are neighbours (T2a) or opposite (T2b).
+Template which_template(const std::array<std::uint32_t, 4>& children);
+
+}  // namespace quadbound
