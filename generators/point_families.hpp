@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <string_view>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 #include "generators/random.hpp"
@@ -23,7 +24,9 @@ inline double scaled(std::int64_t mantissa, int exponent) {
 /// Collects the points of a recipe in the order they come, each once.
 class DistinctPoints {
  public:
-  explicit DistinctPoints(const Recipe& recipe);
+  /// The recipe must outlive the collector.
+  explicit DistinctPoints(const Recipe& recipe)
+      : recipe_(recipe), wanted_(static_cast<std::size_t>(recipe.n)) {}
 
   [[nodiscard]] bool full() const { return points_.size() == wanted_; }
   [[nodiscard]] std::size_t size() const { return points_.size(); }

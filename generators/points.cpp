@@ -62,12 +62,6 @@ constexpr std::array<Make, kFamilies> kMake = {
 
 }  // namespace
 
-DistinctPoints::DistinctPoints(const Recipe& recipe)
-    : recipe_(recipe), wanted_(static_cast<std::size_t>(recipe.n)) {
-  points_.reserve(wanted_);
-  seen_.reserve(wanted_);
-}
-
 std::size_t DistinctPoints::Hash::operator()(const Point& point) const {
   // Multiplying by odd constants mixes upwards, so the high half is folded down at the end.
   std::uint64_t mixed = std::bit_cast<std::uint64_t>(point.x) * 0x9E3779B97F4A7C15U;
