@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "verify/places.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <bit>
+#include <map>
+
+namespace quadbound::judge {
+namespace {
+
+struct Lexicographic {
+  bool operator()(const RationalPoint& a, const RationalPoint& b) const {
+    const int by_x = a.x.compare(b.x);
+    return by_x != 0 ? by_x < 0 : a.y < b.y;
+  }
+};
+
+std::uint64_t hash(LatticePoint p) {
+  std::uint64_t h = static_cast<std::uint64_t>(p.x) * 0x9e3779b97f4a7c15U;
+  h ^= std::rotl(static_cast<std::uint64_t>(p.y) * 0xc2b2ae3d27d4eb4fU, 32);
+  return (h ^ (h >> 29)) * 0xff51afd7ed558ccdU;
+}
+
+/// A hash table of numbers of lattice points that are kept elsewhere; linear probing.
+class LatticeTable {
+ public:
+  static constexpr std::uint32_t kNone = ~std::uint32_t{0};
+
+  /// At least `room` slots per entry.
+  LatticeTable(std::size_t entries, std::size_t room)
+      : slots_(std::bit_ceil(room * entries + 2), kNone),
+        shift_(64 - std::countr_zero(slots_.size())) {}
+
+  /// The number stored for the point; stores `number` and returns kNone where there is none.
+  template <class PointOf>
+  std::uint32_t insert(LatticePoint point, std::uint32_t number, const PointOf& point_of) {
+    const std::size_t slot = slot_of(point, point_of);
+    if (slots_[slot] != kNone) return slots_[slot];
+    slots_[slot] = number;
+    return kNone;
+  }
+  template <class PointOf>
+  [[nodiscard]] std::uint32_t find(LatticePoint point, const PointOf& point_of) const {
+    return slots_[slot_of(point, point_of)];
+  }
+
+ private:
+  template <class PointOf>
+  [[nodiscard]] std::size_t slot_of(LatticePoint point, const PointOf& point_of) const {
+    std::size_t slot = hash(point) >> shift_;
+    while (slots_[slot] != kNone && point_of(slots_[slot]) != point)
+      slot = (slot + 1) & (slots_.size() - 1);
+    return slot;
+  }
+
+  std::vector<std::uint32_t> slots_;
+  int shift_;
+};
+
+/// Input points by position; a mark for each that some vertex has found.
+class PointIndex {
+ public:
+  PointIndex(const std::vector<Point>& points, int exponent)
+      : table_(points.size(), 4), found_(points.size()), same_as_(points.size()) {
+    const Rational unit = dyadic(1, -exponent);
+    lattice_.resize(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) insert(i, points[i], exponent, unit);
+  }
+
+  void mark(LatticePoint point) {
+    const std::uint32_t i = table_.find(point, [&](std::uint32_t k) { return lattice_[k]; });
+    if (i != LatticeTable::kNone) found_[i].store(true, std::memory_order_relaxed);
+  }
+  void mark(const RationalPoint& point) {
+    const auto it = others_.find(point);
+    if (it != others_.end()) found_[it->second].store(true, std::memory_order_relaxed);
+  }
+
+  [[nodiscard]] LostPoints lost() const {
+    LostPoints lost;
+    for (std::size_t i = 0; i < found_.size(); ++i)
+      if (!found_[same_as_[i]].load(std::memory_order_relaxed) && lost.count++ == 0) lost.first = i;
+    return lost;
+  }
+
+ private:
+  void insert(std::size_t i, const Point& point, int exponent, const Rational& unit) {
+    same_as_[i] = static_cast<std::uint32_t>(i);
+    if (!std::isfinite(point.x) || !std::isfinite(point.y)) return;
+    const auto x = lattice_floor(point.x, exponent);
+    const auto y = lattice_floor(point.y, exponent);
+    if (x && y && x->exact && y->exact) {
+      lattice_[i] = {x->floor, y->floor};
+      const std::uint32_t same =
+          table_.insert(lattice_[i], same_as_[i], [&](std::uint32_t k) { return lattice_[k]; });
+      if (same != LatticeTable::kNone) same_as_[i] = same;
+    } else {
+      const RationalPoint exact = exact_value(point);
+      same_as_[i] =
+          others_.emplace(RationalPoint{exact.x * unit, exact.y * unit}, same_as_[i]).first->second;
+    }
+  }
+
+  LatticeTable table_;
+  std::vector<LatticePoint> lattice_;
+  std::map<RationalPoint, std::uint32_t, Lexicographic> others_;
+  std::vector<std::atomic<bool>> found_;
+  std::vector<std::uint32_t> same_as_;  ///< the first point at the same position
+};
+
+}  // namespace
+
+std::optional<CoincidentVertices> find_coincident(const ExactPlane& plane,
+                                                  const CornersByVertex& corners) {
+  LatticeTable table(corners.vertices(), 2);
+  std::map<RationalPoint, VertexId, Lexicographic> others;
+  for (VertexId v = 0; v < corners.vertices(); ++v) {
+    if (!corners.is_used(v)) continue;
+    if (plane.on_lattice(v)) {
+      const auto earlier =
+          table.insert(plane.lattice(v), v, [&](VertexId w) { return plane.lattice(w); });
+      if (earlier != LatticeTable::kNone) return {{earlier, v}};
+    } else {
+      const auto [it, is_new] = others.emplace(plane.rational(v), v);
+      if (!is_new) return {{it->second, v}};
+    }
+  }
+  return std::nullopt;
+}
+
+LostPoints find_lost_points(const ExactPlane& plane, int exponent, const CornersByVertex& corners,
+                            const std::vector<Point>& points, const Threads& threads) {
+  PointIndex index(points, exponent);
+  const std::size_t chunks = (corners.vertices() + kChunk - 1) / kChunk;
+  threads.for_each(chunks, [&](std::size_t chunk) {
+    const std::size_t end = std::min(corners.vertices(), (chunk + 1) * kChunk);
+    for (auto v = static_cast<VertexId>(chunk * kChunk); v < end; ++v) {
+      if (!corners.is_used(v)) continue;
+      if (plane.on_lattice(v)) {
+        index.mark(plane.lattice(v));
+      } else {
+        index.mark(plane.rational(v));
+      }
+    }
+  });
+  return index.lost();
+}
+
+std::optional<VertexId> find_rounded(const StoredPlane& plane, const CornersByVertex& corners,
+                                     const Threads& threads) {
+  const auto parts = for_chunks<std::optional<VertexId>>(
+      threads, corners.vertices(),
+      [&](std::size_t begin, std::size_t end) -> std::optional<VertexId> {
+        for (auto v = static_cast<VertexId>(begin); v < end; ++v)
+          if (corners.is_used(v) && plane.changes(v)) return v;
+        return std::nullopt;
+      });
+  for (const auto& part : parts)
+    if (part) return part;
+  return std::nullopt;
+}
+
+std::optional<VertexId> find_infinite(const StoredPlane& plane, const CornersByVertex& corners) {
+  for (VertexId v = 0; v < corners.vertices(); ++v)
+    if (corners.is_used(v) && !plane.is_finite(v)) return v;
+  return std::nullopt;
+}
+
+}  // namespace quadbound::judge

@@ -1,0 +1,368 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "verify/survey.hpp"
+
+#include <cmath>
+#include <limits>
+#include <type_traits>
+
+namespace quadbound::judge {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// The four edges of a quad; edge i leaves corner i.
+template <class Number>
+struct Edges {
+  std::array<Number, 4> x;
+  std::array<Number, 4> y;
+};
+
+template <class Number, class PointType>
+Edges<Number> edges_of(const std::array<PointType, 4>& p) {
+  Edges<Number> edges;
+  for (std::size_t i = 0; i < 4; ++i) {
+    edges.x[i] = p[(i + 1) % 4].x - p[i].x;
+    edges.y[i] = p[(i + 1) % 4].y - p[i].y;
+  }
+  return edges;
+}
+
+/// Corner i from its edges; Wide holds their products.
+template <class Wide, class Number>
+Corner<Wide> corner_of(const Edges<Number>& e, std::size_t i) {
+  const std::size_t before = (i + 3) % 4;
+  return {Wide(Wide(e.x[before]) * e.y[i] - Wide(e.y[before]) * e.x[i]),
+          Wide(-(Wide(e.x[before]) * e.x[i]) - Wide(e.y[before]) * e.y[i])};
+}
+
+/// The shoelace formula with differences only: half the cross product of the diagonals.
+template <class Wide, class Number>
+Wide doubled_area(const Edges<Number>& e) {
+  const Number first_x = e.x[0] + e.x[1];
+  const Number first_y = e.y[0] + e.y[1];
+  const Number second_x = e.x[1] + e.x[2];
+  const Number second_y = e.y[1] + e.y[2];
+  return Wide(Wide(first_x) * second_y - Wide(first_y) * second_x);
+}
+
+/// A corner of less than 180 degrees passes the positive x axis exactly when its first edge points
+/// into the lower half-plane and its last edge, which is the edge before reversed, into the upper.
+template <class Number>
+std::uint8_t passes_of(const Edges<Number>& e) {
+  unsigned lower = 0;
+  for (std::size_t i = 0; i < 4; ++i)
+    lower |= static_cast<unsigned>(e.y[i] < 0 || (e.y[i] == 0 && e.x[i] < 0)) << i;
+  return static_cast<std::uint8_t>(lower & ((lower << 1) | (lower >> 3)) & 15U);
+}
+
+/// Cotangent of a corner up to a few units of the last place, monotone in the sector at the ends.
+double cotangent(const ExtremeCorner& extreme) {
+  if (extreme.rational) {
+    const Corner<Rational>& c = *extreme.rational;
+    switch (sector(c)) {
+      case 0:
+        return kInfinity;
+      case 1:
+        return nearest_double(Rational(c.dot / c.cross));
+      default:
+        return -kInfinity;
+    }
+  }
+  switch (sector(extreme.lattice)) {
+    case 0:
+      return kInfinity;
+    case 1:
+      return static_cast<double>(extreme.lattice.dot) / static_cast<double>(extreme.lattice.cross);
+    default:
+      return -kInfinity;
+  }
+}
+
+double cotangent(Arctangent bound) { return double{1} * bound.denominator / bound.numerator; }
+
+bool is_smaller(const Corner<Int128>& a, const ExtremeCorner& b) {
+  if (!b.rational) return judge::is_smaller(a, b.lattice);
+  return judge::is_smaller(Corner<Rational>{to_rational(a.cross), to_rational(a.dot)}, *b.rational);
+}
+bool is_smaller(const ExtremeCorner& a, const Corner<Int128>& b) {
+  if (!a.rational) return judge::is_smaller(a.lattice, b);
+  return judge::is_smaller(*a.rational, Corner<Rational>{to_rational(b.cross), to_rational(b.dot)});
+}
+bool is_smaller(const Corner<Rational>& a, const ExtremeCorner& b) {
+  return judge::is_smaller(a, b.exact());
+}
+bool is_smaller(const ExtremeCorner& a, const Corner<Rational>& b) {
+  return judge::is_smaller(a.exact(), b);
+}
+bool is_smaller(const ExtremeCorner& a, const ExtremeCorner& b) {
+  if (!a.rational && !b.rational) return judge::is_smaller(a.lattice, b.lattice);
+  return judge::is_smaller(a.exact(), b.exact());
+}
+
+template <class Number>
+ExtremeCorner as_extreme(CornerId id, const Corner<Number>& corner) {
+  if constexpr (std::is_same_v<Number, Rational>) {
+    return {id, {0, 0}, corner};
+  } else {
+    return {id, corner, std::nullopt};
+  }
+}
+
+/// angle < bound, for any angle in [0, 360).
+template <class Number>
+bool is_below(const Corner<Number>& corner, Arctangent bound) {
+  const int where = sector(corner);
+  return where == 0 || (where == 1 && !at_least(corner, bound));
+}
+/// angle > 180 degrees - bound, for any angle in [0, 360).
+template <class Number>
+bool is_above(const Corner<Number>& corner, Arctangent bound) {
+  const int where = sector(corner);
+  return where >= 2 || (where == 1 && !at_most_straight_minus(corner, bound));
+}
+
+/// Whether tan(excess) <= 4 sqrt(2) 2^-53 M / l; since tan(e) >= e this never lets too much pass.
+bool within_slack(const Rational& rise, const Rational& run, const CornerScale& scale) {
+  if (run <= 0) return false;
+  const Rational left = rise * rise * scale.shorter_edge_squared;
+  const Rational right = run * run * scale.largest_coordinate * scale.largest_coordinate;
+  return left <= right * dyadic(1, 5 - 2 * 53);
+}
+
+/// The filter in front of within_slack: 1 certainly, -1 certainly not, 0 unknown.
+int slack_filter(Int128 rise, Int128 run, double largest, double edge_squared) {
+  if (run <= 0) return -1;
+  const double left = static_cast<double>(rise) * static_cast<double>(rise) * edge_squared;
+  const double right = static_cast<double>(run) * static_cast<double>(run) * largest * largest *
+                       std::ldexp(1.0, 5 - 2 * 53);
+  if (left < right * 0.999) return 1;
+  return left > right * 1.001 ? -1 : 0;
+}
+
+/// Surveys one chunk of quads.
+template <class Plane>
+class Surveyor {
+ public:
+  Surveyor(const Plane& plane, const std::vector<Quad>& quads, const AngleInterval& interval)
+      : plane_(plane), quads_(quads), interval_(interval) {
+    update_filter();
+  }
+
+  Survey survey(std::size_t begin, std::size_t end, std::vector<std::uint8_t>& passes) {
+    for (std::size_t q = begin; q < end; ++q) {
+      const Quad& quad = quads_[q];
+      if (plane_.on_lattice(quad[0]) && plane_.on_lattice(quad[1]) && plane_.on_lattice(quad[2]) &&
+          plane_.on_lattice(quad[3])) {
+        passes[q] = lattice_quad(q, quad);
+      } else {
+        passes[q] = rational_quad(q, quad);
+      }
+    }
+    return std::move(survey_);
+  }
+
+ private:
+  static constexpr bool kMeasuresRounding = std::is_same_v<Plane, StoredPlane>;
+  using Doubles = std::array<double, 4>;
+
+  std::uint8_t lattice_quad(std::size_t q, const Quad& quad) {
+    const auto edges =
+        edges_of<std::int64_t>(std::array{plane_.lattice(quad[0]), plane_.lattice(quad[1]),
+                                          plane_.lattice(quad[2]), plane_.lattice(quad[3])});
+    survey_.doubled_area.add(doubled_area<Int128>(edges));
+    Doubles x;
+    Doubles y;
+    Doubles length;
+    for (std::size_t i = 0; i < 4; ++i) {
+      x[i] = static_cast<double>(edges.x[i]);
+      y[i] = static_cast<double>(edges.y[i]);
+      length[i] = std::abs(x[i]) + std::abs(y[i]);
+    }
+    for (std::size_t i = 0; i < 4; ++i) {
+      const std::size_t before = (i + 3) % 4;
+      const double cross = x[before] * y[i] - y[before] * x[i];
+      const double dot = -(x[before] * x[i]) - y[before] * y[i];
+      if (is_uninteresting(cross, dot, length[before] * length[i])) {
+        ++survey_.decisions.filter;
+      } else {
+        ++survey_.decisions.lattice;
+        judge(CornerId{q, static_cast<int>(i)}, corner_of<Int128>(edges, i));
+      }
+    }
+    return passes_of(edges);
+  }
+
+  std::uint8_t rational_quad(std::size_t q, const Quad& quad) {
+    const auto edges =
+        edges_of<Rational>(std::array{plane_.rational(quad[0]), plane_.rational(quad[1]),
+                                      plane_.rational(quad[2]), plane_.rational(quad[3])});
+    survey_.doubled_area.add(doubled_area<Rational>(edges));
+    for (std::size_t i = 0; i < 4; ++i) {
+      ++survey_.decisions.rational;
+      judge(CornerId{q, static_cast<int>(i)}, corner_of<Rational>(edges, i));
+    }
+    return passes_of(edges);
+  }
+
+  /// Whether the corner is certainly convex, within the bounds, and no new extreme.
+  ///
+  /// `size` is the product of the edges' lengths in the 1-norm. Differences are rounded once, so
+  /// that cross and dot are each off by at most 4 * 2^-53 * size (and terms of 2^-106), the
+  /// cotangents of the extremes by 4 units of the last place, and the products and differences
+  /// below by one more rounding each: less than 16 * 2^-53 * size * (1 + |cotangent|) together.
+  /// 2^-48 leaves a factor of two.
+  [[nodiscard]] bool is_uninteresting(double cross, double dot, double size) const {
+    const double error = 0x1p-48 * size;
+    return cross > error && low_ * cross - dot > low_error_ * error &&
+           dot - high_ * cross > high_error_ * error;
+  }
+
+  void update_filter() {
+    // Corners with a cotangent below low_ are larger than the smallest so far and than the bound.
+    const auto& smallest = survey_.smallest.extreme;
+    const auto& largest = survey_.largest.extreme;
+    low_ = smallest ? std::min(cotangent(*smallest), cotangent(interval_.smallest)) : -kInfinity;
+    high_ =
+        largest ? std::max(cotangent(*largest), -cotangent(interval_.from_straight)) : kInfinity;
+    low_error_ = 1 + std::abs(low_);
+    high_error_ = 1 + std::abs(high_);
+  }
+
+  template <class Number>
+  void judge(CornerId id, const Corner<Number>& corner) {
+    if (!(corner.cross > 0)) {
+      if (survey_.not_convex++ == 0) survey_.first_not_convex = id;
+    }
+    if (is_below(corner, interval_.smallest)) {
+      ++survey_.smallest.broken;
+      check_slack(id, corner, interval_.smallest, survey_.smallest);
+    }
+    if (is_above(corner, interval_.from_straight)) {
+      ++survey_.largest.broken;
+      check_slack(id, Corner<Number>{corner.cross, Number(-corner.dot)}, interval_.from_straight,
+                  survey_.largest);
+    }
+    bool changed = false;
+    auto& smallest = survey_.smallest.extreme;
+    if (!smallest || is_smaller(corner, *smallest)) {
+      smallest = as_extreme(id, corner);
+      changed = true;
+    }
+    auto& largest = survey_.largest.extreme;
+    if (!largest || is_smaller(*largest, corner)) {
+      largest = as_extreme(id, corner);
+      changed = true;
+    }
+    if (changed) update_filter();
+  }
+
+  template <class Number>
+  void check_slack(CornerId id, const Corner<Number>& corner, Arctangent bound, BoundTally& tally) {
+    if constexpr (kMeasuresRounding) {
+      if (tally.beyond_slack) return;
+      const auto [rise, run] = excess_tangent(corner, bound);
+      const Quad& quad = quads_[id.quad];
+      if constexpr (std::is_same_v<Number, Int128>) {
+        const int known = filter_slack(rise, run, quad, static_cast<std::size_t>(id.corner));
+        if (known > 0) return;
+        if (known < 0) {
+          tally.beyond_slack = id;
+          return;
+        }
+      }
+      if (!within_slack(to_rational(rise), to_rational(run), corner_scale(plane_, quad, id.corner)))
+        tally.beyond_slack = id;
+    }
+  }
+
+  [[nodiscard]] int filter_slack(Int128 rise, Int128 run, const Quad& quad, std::size_t i) const {
+    double largest = 0;
+    for (const std::size_t k : {i, (i + 1) % 4, (i + 3) % 4}) {
+      const LatticePoint p = plane_.lattice(quad[k]);
+      largest = std::max(largest, static_cast<double>(std::max(std::abs(p.x), std::abs(p.y))));
+    }
+    const auto squared = [&](std::size_t k) {
+      const LatticePoint p = plane_.lattice(quad[i]);
+      const LatticePoint q = plane_.lattice(quad[k]);
+      const double dx = static_cast<double>(q.x - p.x);
+      const double dy = static_cast<double>(q.y - p.y);
+      return dx * dx + dy * dy;
+    };
+    return slack_filter(rise, run, largest, std::min(squared((i + 1) % 4), squared((i + 3) % 4)));
+  }
+
+  const Plane& plane_;
+  const std::vector<Quad>& quads_;
+  AngleInterval interval_;
+  Survey survey_;
+  double low_ = 0;
+  double high_ = 0;
+  double low_error_ = 0;
+  double high_error_ = 0;
+};
+
+template <class Better>
+void merge(BoundTally& into, BoundTally& from, const Better& better) {
+  into.broken += from.broken;
+  if (!into.beyond_slack) into.beyond_slack = from.beyond_slack;
+  if (from.extreme && (!into.extreme || better(*from.extreme, *into.extreme)))
+    into.extreme = std::move(from.extreme);
+}
+
+void merge(Survey& into, Survey& from) {
+  merge(into.smallest, from.smallest,
+        [](const ExtremeCorner& a, const ExtremeCorner& b) { return is_smaller(a, b); });
+  merge(into.largest, from.largest,
+        [](const ExtremeCorner& a, const ExtremeCorner& b) { return is_smaller(b, a); });
+  into.not_convex += from.not_convex;
+  if (!into.first_not_convex) into.first_not_convex = from.first_not_convex;
+  into.doubled_area.add(from.doubled_area);
+  into.decisions.filter += from.decisions.filter;
+  into.decisions.lattice += from.decisions.lattice;
+  into.decisions.rational += from.decisions.rational;
+}
+
+}  // namespace
+
+template <class Plane>
+CornerScale corner_scale(const Plane& plane, const Quad& quad, int corner) {
+  const auto i = static_cast<std::size_t>(corner);
+  const RationalPoint at = plane.rational(quad[i]);
+  CornerScale scale;
+  for (const std::size_t k : {i, (i + 1) % 4, (i + 3) % 4}) {
+    const RationalPoint p = plane.rational(quad[k]);
+    for (const Rational& coordinate : {p.x, p.y}) {
+      const Rational size = abs(coordinate);
+      if (size > scale.largest_coordinate) scale.largest_coordinate = size;
+    }
+    const Rational dx = p.x - at.x;
+    const Rational dy = p.y - at.y;
+    const Rational squared = dx * dx + dy * dy;
+    if (k == (i + 1) % 4 || (k != i && squared < scale.shorter_edge_squared))
+      scale.shorter_edge_squared = squared;
+  }
+  return scale;
+}
+
+template <class Plane>
+Survey survey_quads(const Plane& plane, const std::vector<Quad>& quads,
+                    const AngleInterval& interval, const Threads& threads,
+                    std::vector<std::uint8_t>& passes) {
+  passes.resize(quads.size());
+  auto parts = for_chunks<Survey>(threads, quads.size(), [&](std::size_t begin, std::size_t end) {
+    return Surveyor<Plane>(plane, quads, interval).survey(begin, end, passes);
+  });
+  Survey total;
+  for (Survey& part : parts) merge(total, part);
+  return total;
+}
+
+template Survey survey_quads<ExactPlane>(const ExactPlane&, const std::vector<Quad>&,
+                                         const AngleInterval&, const Threads&,
+                                         std::vector<std::uint8_t>&);
+template Survey survey_quads<StoredPlane>(const StoredPlane&, const std::vector<Quad>&,
+                                          const AngleInterval&, const Threads&,
+                                          std::vector<std::uint8_t>&);
+template CornerScale corner_scale<StoredPlane>(const StoredPlane&, const Quad&, int);
+
+}  // namespace quadbound::judge
