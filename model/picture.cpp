@@ -29,17 +29,21 @@ struct Box {
   Point high;
 };
 
-Box box_of(const Mesh& mesh, const std::vector<Point>& points) {
-  constexpr double kFar = std::numeric_limits<double>::infinity();
-  Box box{{kFar, kFar}, {-kFar, -kFar}};
-  const auto include = [&](const Point& point) {
-    box.low = {std::min(box.low.x, point.x), std::min(box.low.y, point.y)};
-    box.high = {std::max(box.high.x, point.x), std::max(box.high.y, point.y)};
-  };
-  for (VertexId v = 0; v < mesh.vertices.size(); ++v) include(mesh.vertices.rounded(v));
-  std::for_each(points.begin(), points.end(), include);
-  if (!(box.low.x <= box.high.x)) return {{0, 0}, {1, 1}};
-  return box;
+constexpr double kFar = std::numeric_limits<double>::infinity();
+constexpr Box kNothing{{kFar, kFar}, {-kFar, -kFar}};
+
+void include(Box& box, const Point& point) {
+  box.low = {std::min(box.low.x, point.x), std::min(box.low.y, point.y)};
+  box.high = {std::max(box.high.x, point.x), std::max(box.high.y, point.y)};
+}
+
+/// What is drawn: the window, or all of it.
+Box box_of(const Mesh& mesh, const PictureOptions& options) {
+  if (options.window) return {options.window->low, options.window->high};
+  Box box = kNothing;
+  for (VertexId v = 0; v < mesh.vertices.size(); ++v) include(box, mesh.vertices.rounded(v));
+  for (const Point& point : options.points) include(box, point);
+  return box.low.x <= box.high.x ? box : Box{{0, 0}, {1, 1}};
 }
 
 /// The number of characters, not of bytes, of a UTF-8 text.
@@ -49,14 +53,25 @@ std::size_t letters(const std::string& text) {
   }));
 }
 
-/// The legend lists the classes that quads of the mesh have.
+/// A quad that has a part in the window, or none (judged by its bounding box).
+bool reaches(const Mesh& mesh, const Quad& quad, const Box& window) {
+  Box box = kNothing;
+  for (const VertexId vertex : quad) include(box, mesh.vertices.rounded(vertex));
+  return box.low.x < window.high.x && box.high.x > window.low.x && box.low.y < window.high.y &&
+         box.high.y > window.low.y;
+}
+
+/// The legend lists the classes of the quads in sight.
 struct Legend {
   std::string title;
   std::vector<PictureClass> rows;
 
-  explicit Legend(const PictureClasses& classes) : title(classes.title) {
+  Legend(const Mesh& mesh, const PictureClasses& classes, const Box& window)
+      : title(classes.title) {
     std::vector<bool> seen(classes.classes.size(), false);
-    for (const std::uint8_t index : classes.of_quad) seen[index] = true;
+    for (std::size_t i = 0; i < classes.of_quad.size(); ++i)
+      if (!seen[classes.of_quad[i]])
+        seen[classes.of_quad[i]] = reaches(mesh, mesh.quads[i], window);
     for (std::size_t i = 0; i < seen.size(); ++i)
       if (seen[i]) rows.push_back(classes.classes[i]);
   }
@@ -237,10 +252,9 @@ class Picture {
       : mesh_(mesh),
         options_(options),
         classes_(picture_classes(mesh, options.colour)),
-        legend_(classes_),
-        frame_(options.window ? Box{options.window->low, options.window->high}
-                              : box_of(mesh, options.points),
-               options.width - legend_.width(), options.window ? 0 : kMargin),
+        legend_(mesh, classes_, box_of(mesh, options)),
+        frame_(box_of(mesh, options), options.width - legend_.width(),
+               options.window ? 0 : kMargin),
         clip_(frame_.width, frame_.height) {}
 
   [[nodiscard]] double width() const { return std::ceil(frame_.width + legend_.width()); }

@@ -72,10 +72,13 @@ struct AngleScale {
 constexpr double kSlackDegrees = 1e-9;
 
 std::string class_label(const AngleScale& scale, std::size_t index) {
-  const char* beyond = scale.sign > 0 ? "below" : "above";
-  const char* within = scale.sign > 0 ? "from" : "up to";
-  return index == 0 ? fmt::format("{} {:.5g}°", beyond, scale.limits[0])
-                    : fmt::format("{} {:.5g}°", within, scale.limits[index - 1]);
+  const std::size_t last = scale.limits.size();
+  if (index == 0)
+    return fmt::format("{} {:.5g}°", scale.sign > 0 ? "below" : "above", scale.limits[0]);
+  if (index == last)
+    return fmt::format("{} {:.5g}°", scale.sign > 0 ? "from" : "up to", scale.limits[last - 1]);
+  const auto [low, high] = std::minmax(scale.limits[index - 1], scale.limits[index]);
+  return fmt::format("{:.5g}° to {:.5g}°", low, high);
 }
 
 PictureClasses angle_classes(const Mesh& mesh, const AngleScale& scale) {

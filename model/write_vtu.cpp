@@ -5,6 +5,7 @@
 #include <bit>
 #include <limits>
 #include <string_view>
+#include <vector>
 
 #include "model/quad_shape.hpp"
 #include "model/write_text.hpp"
@@ -33,8 +34,11 @@ class Base64 {
   void put_group(int digits) {
     static constexpr std::string_view kDigits =
         "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::array<char, 4> text;
     for (int i = 0; i < 4; ++i)
-      out_ << (i < digits ? kDigits[(group_ >> (18 - 6 * i)) & 63U] : '=');
+      text[static_cast<std::size_t>(i)] =
+          i < digits ? kDigits[(group_ >> (18 - 6 * i)) & 63U] : '=';
+    out_ << std::string_view(text.data(), text.size());
     group_ = 0;
     filled_ = 0;
   }
@@ -132,13 +136,22 @@ void write_cells(TextOut& out, const Mesh& mesh, std::size_t cells) {
   out << "</Cells>\n";
 }
 
-/// Four passes over the quads instead of a copy of all shapes.
-void write_shapes(TextOut& out, const Mesh& mesh, std::string_view name,
-                  double QuadShape::*measure) {
-  DataArray values(out, kFloat64, name, mesh.quads.size() + mesh.other_faces.size());
-  for (const Quad& quad : mesh.quads) values.put(quad_shape(mesh.vertices, quad).*measure);
-  for (std::size_t i = 0; i < mesh.other_faces.size(); ++i)
+void write_measure(TextOut& out, const std::vector<QuadShape>& shapes, std::size_t cells,
+                   std::string_view name, double QuadShape::*measure) {
+  DataArray values(out, kFloat64, name, cells);
+  for (const QuadShape& shape : shapes) values.put(shape.*measure);
+  for (std::size_t i = shapes.size(); i < cells; ++i)
     values.put(std::numeric_limits<double>::quiet_NaN());
+}
+
+void write_shapes(TextOut& out, const Mesh& mesh, std::size_t cells) {
+  std::vector<QuadShape> shapes;
+  shapes.reserve(mesh.quads.size());
+  for (const Quad& quad : mesh.quads) shapes.push_back(quad_shape(mesh.vertices, quad));
+  write_measure(out, shapes, cells, "min_angle", &QuadShape::min_angle);
+  write_measure(out, shapes, cells, "max_angle", &QuadShape::max_angle);
+  write_measure(out, shapes, cells, "scaled_jacobian", &QuadShape::scaled_jacobian);
+  write_measure(out, shapes, cells, "aspect_ratio", &QuadShape::aspect_ratio);
 }
 
 void write_numbers(TextOut& out, std::string_view name, const std::vector<std::uint8_t>& numbers,
@@ -151,10 +164,7 @@ void write_numbers(TextOut& out, std::string_view name, const std::vector<std::u
 
 void write_cell_data(TextOut& out, const Mesh& mesh, std::size_t cells) {
   out << "<CellData>\n";
-  write_shapes(out, mesh, "min_angle", &QuadShape::min_angle);
-  write_shapes(out, mesh, "max_angle", &QuadShape::max_angle);
-  write_shapes(out, mesh, "scaled_jacobian", &QuadShape::scaled_jacobian);
-  write_shapes(out, mesh, "aspect_ratio", &QuadShape::aspect_ratio);
+  write_shapes(out, mesh, cells);
   write_numbers(out, "construction", mesh.construction, cells);
   write_numbers(out, "level", mesh.level, cells);
   out << "</CellData>\n";
