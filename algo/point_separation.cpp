@@ -2,9 +2,11 @@
 #include "algo/point_separation.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -16,7 +18,8 @@ namespace {
 
 constexpr int bit_width(UInt128 value) {
   const auto high = static_cast<std::uint64_t>(value >> 64);
-  return high != 0 ? 64 + std::bit_width(high) : std::bit_width(static_cast<std::uint64_t>(value));
+  return high != 0 ? 64 + static_cast<int>(std::bit_width(high))
+                   : static_cast<int>(std::bit_width(static_cast<std::uint64_t>(value)));
 }
 
 /// Condition A.3: a cell with side l = 2^k is crowded if its point has a neighbour closer than
@@ -44,27 +47,30 @@ class Separation {
   }
 
   void refine_six_by_six() {
-    std::vector<Cell> changed;
     for (const Cell cell : point_cells()) {
       deadline_.check(tree_.corner(cell), 0);
-      for (int dx = -1; dx <= 1; ++dx) {
-        for (int dy = -1; dy <= 1; ++dy) {
-          const Cell there = dx == 0 && dy == 0 ? cell : *tree_.extended_neighbour(cell, dx, dy);
-          if (tree_.is_leaf(there)) tree_.split(there, changed);
-        }
-      }
-      changed.clear();
+      std::vector<Cell> grid{cell};
+      tree_.for_extended_neighbours(cell, [&grid](int, int, Cell there) { grid.push_back(there); });
+      for (const Cell there : grid)
+        if (tree_.is_leaf(there)) tree_.split(there, changed_);
+      changed_.clear();
     }
   }
 
+  /// Every cell of a point, from the level that the conditions leave it at, gets its 24 cells around
+  /// it before it is asked whether it must be split: so that this, too, is a closure that does not
+  /// depend on the order.
   void refine_five_by_five() {
-    for (bool again = true; again;) {
-      again = false;
-      for (const Cell cell : point_cells()) {
-        if (!tree_.has_point(cell)) continue;  // split meanwhile; its child comes in the next round
-        const std::size_t before = tree_.blocks().size();
-        if (!make_five_by_five(cell)) split_and_follow(cell);
-        again = again || tree_.blocks().size() != before;
+    wants_grids_ = true;
+    // A later split may break a grid that was whole: ask all again until nothing changes.
+    for (std::size_t before = 0; before != tree_.blocks().size();) {
+      before = tree_.blocks().size();
+      grids_ = point_cells();
+      while (!grids_.empty()) {
+        const Cell cell = grids_.back();
+        grids_.pop_back();
+        const bool whole = make_five_by_five(cell);
+        if (!whole && tree_.is_leaf(cell)) split_and_follow(cell);
         settle();
       }
     }
@@ -86,14 +92,9 @@ class Separation {
     const PointId first = tree_.first_point(cell);
     if (tree_.next_point(first) != Quadtree::kEmptyLeaf) return true;      // A.1
     if (tree_.side_bits(cell) > separated_side_bits_[first]) return true;  // A.3
-    for (int dx = -1; dx <= 1; ++dx) {
-      for (int dy = -1; dy <= 1; ++dy) {
-        if (dx == 0 && dy == 0) continue;
-        const auto there = tree_.extended_neighbour(cell, dx, dy);
-        if (!there || !tree_.is_leaf(*there)) return true;  // beyond the root, or A.2
-      }
-    }
-    return false;
+    int whole = 0;
+    tree_.for_extended_neighbours(cell, [&](int, int, Cell there) { whole += tree_.is_leaf(there) ? 1 : 0; });
+    return whole < 8;  // A.2: one is split; or one lies beyond the root
   }
 
   void settle() {
@@ -121,6 +122,7 @@ class Separation {
       for (const Quadrant q : kQuadrants) {
         if (!tree_.has_point({block, q})) continue;
         suspects_.push_back({block, q});
+        if (wants_grids_) grids_.push_back({block, q});
         split_beside(parent, q);
       }
     }
@@ -128,36 +130,34 @@ class Separation {
 
   /// Condition B: the extended neighbours of `parent` that touch its child q.
   void split_beside(Cell parent, Quadrant q) {
-    const int dx = is_east(q) ? 1 : -1;
-    const int dy = is_north(q) ? 1 : -1;
-    for (const auto [x, y] : {std::pair{dx, 0}, std::pair{0, dy}, std::pair{dx, dy}}) {
-      const auto there = tree_.extended_neighbour(parent, x, y);
-      if (there && tree_.is_leaf(*there)) tree_.split(*there, changed_);
-    }
+    const int east = is_east(q) ? 1 : -1;
+    const int north = is_north(q) ? 1 : -1;
+    std::array<Cell, 3> touching{};
+    std::size_t count = 0;
+    tree_.for_extended_neighbours(parent, [&](int dx, int dy, Cell there) {
+      if ((dx == 0 || dx == east) && (dy == 0 || dy == north)) touching[count++] = there;
+    });
+    for (std::size_t i = 0; i < count; ++i)
+      if (tree_.is_leaf(touching[i])) tree_.split(touching[i], changed_);
   }
 
   void suspect_neighbours(Cell cell) {
-    for (int dx = -1; dx <= 1; ++dx) {
-      for (int dy = -1; dy <= 1; ++dy) {
-        if (dx == 0 && dy == 0) continue;
-        const auto there = tree_.extended_neighbour(cell, dx, dy);
-        if (there && tree_.has_point(*there)) suspects_.push_back(*there);
-      }
-    }
+    tree_.for_extended_neighbours(cell, [this](int, int, Cell there) {
+      if (tree_.has_point(there)) suspects_.push_back(there);
+    });
   }
 
-  /// Makes the 24 cells around a leaf exist; false if one of them is split, holds a point, or lies
-  /// outside the root, so that the leaf has to be split.
+  /// Makes the 24 cells around a cell exist; whether all are inside the root, whole and empty.
   bool make_five_by_five(Cell cell) {
+    bool whole = true;
     for (int dx = -2; dx <= 2; ++dx) {
       for (int dy = -2; dy <= 2; ++dy) {
         if (dx == 0 && dy == 0) continue;
         const auto there = walk(cell, dx, dy);
-        if (!tree_.is_leaf(cell)) return true;  // split on the way; the next round takes its child
-        if (!there || !tree_.is_leaf(*there) || tree_.has_point(*there)) return false;
+        whole = whole && there && tree_.is_leaf(*there) && !tree_.has_point(*there);
       }
     }
-    return true;
+    return whole;
   }
 
   std::optional<Cell> walk(Cell cell, int dx, int dy) {
@@ -180,6 +180,8 @@ class Separation {
   std::vector<std::int8_t> separated_side_bits_;
   std::vector<Cell> suspects_;  ///< cells that may be crowded
   std::vector<Cell> changed_;   ///< split by the last request
+  bool wants_grids_ = false;
+  std::vector<Cell> grids_;  ///< cells of points whose 5x5 grid is to be made
 };
 
 /// Less than 2^result bounds the magnitude of all coordinates.
@@ -224,6 +226,36 @@ std::int64_t square_start(Range range, std::int64_t side) {
   return (range.low - (side - range.length()) / 2) & -(side / 16);
 }
 
+/// Whether a comes before b on the Z curve: decided by the coordinate with the highest bit that differs.
+bool z_less(LatticePoint a, LatticePoint b) {
+  const auto dx = static_cast<std::uint64_t>(a.x ^ b.x);
+  const auto dy = static_cast<std::uint64_t>(a.y ^ b.y);
+  const bool y_decides = dy >= dx || (dx ^ dy) > dx;
+  return y_decides ? a.y < b.y : a.x < b.x;
+}
+
+/// Points in the order of the Z curve, so that neighbours in the plane are neighbours in memory.
+std::vector<std::uint32_t> z_order(const std::vector<LatticePoint>& points) {
+  std::vector<std::uint32_t> order(points.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::sort(order.begin(), order.end(), [&points](std::uint32_t a, std::uint32_t b) {
+    if (points[a] == points[b]) return a < b;
+    return z_less(points[a], points[b]);
+  });
+  return order;
+}
+
+PlacedPoints reordered(const PlacedPoints& placed, const std::vector<std::uint32_t>& order) {
+  PlacedPoints result{placed.root, {}, {}};
+  result.floors.reserve(order.size());
+  result.rounded.reserve(order.size());
+  for (const std::uint32_t i : order) {
+    result.floors.push_back(placed.floors[i]);
+    result.rounded.push_back(placed.rounded[i]);
+  }
+  return result;
+}
+
 /// Any 56 bits of the largest coordinate tell where the root square may be; the margin of 4 bits
 /// keeps the sums below inside the lattice.
 constexpr int kCoarseBits = 56;
@@ -255,18 +287,20 @@ PlacedPoints place_root(const std::vector<Point>& points) {
   const LatticePoint corner{square_start(x, side), square_start(y, side)};
   const std::int64_t farthest = std::max({-corner.x, -corner.y, corner.x + side, corner.y + side});
   // The finest lattice on which the farthest corner is at most 2^60.
-  const int spare = kLatticeBits - std::bit_width(static_cast<std::uint64_t>(farthest - 1));
+  const int spare = kLatticeBits - static_cast<int>(std::bit_width(static_cast<std::uint64_t>(farthest - 1)));
   PlacedPoints placed;
   placed.root.exponent = coarse - spare;
   placed.root.corner = {corner.x * (std::int64_t{1} << spare),
                         corner.y * (std::int64_t{1} << spare)};
-  placed.root.side_bits = std::bit_width(static_cast<std::uint64_t>(side)) - 1 + spare;
+  placed.root.side_bits = std::countr_zero(static_cast<std::uint64_t>(side)) + spare;
   placed.floors = floors_on(points, placed.root.exponent, &placed.rounded);
   return placed;
 }
 
-SeparatedTree separate_points(const PlacedPoints& placed, GridRefinement refinement,
+SeparatedTree separate_points(const PlacedPoints& given, GridRefinement refinement,
                               const Budget& budget) {
+  const std::vector<std::uint32_t> order = z_order(given.floors);
+  const PlacedPoints placed = reordered(given, order);
   Separation separation(placed, budget);
   separation.apply_conditions();
   const std::size_t before = separation.tree().blocks().size();
@@ -278,7 +312,7 @@ SeparatedTree separate_points(const PlacedPoints& placed, GridRefinement refinem
   const std::uint64_t refined = separation.tree().blocks().size() - before;
   std::vector<Cell> cell_of_point(placed.floors.size());
   for (const Cell cell : separation.point_cells())
-    cell_of_point[separation.tree().first_point(cell)] = cell;
+    cell_of_point[order[separation.tree().first_point(cell)]] = cell;
   return {std::move(separation.tree()), std::move(cell_of_point), refined};
 }
 
@@ -301,8 +335,8 @@ std::optional<std::string> broken_separation(const SeparatedTree& separated) {
   }
   for (PointId id = 0; id < separated.cell_of_point.size(); ++id) {
     const Cell cell = separated.cell_of_point[id];
-    if (!tree.has_point(cell) || tree.first_point(cell) != id) return "point outside its cell";
-    if (tree.next_point(id) != Quadtree::kEmptyLeaf) return "two points in one cell";
+    if (!tree.has_point(cell)) return "a point without a cell";
+    if (tree.next_point(tree.first_point(cell)) != Quadtree::kEmptyLeaf) return "two points in one cell";
     for (int dx = -2; dx <= 2; ++dx) {
       for (int dy = -2; dy <= 2; ++dy) {
         std::optional<Cell> at = cell;

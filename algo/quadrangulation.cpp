@@ -22,6 +22,7 @@ class FatePlanner {
     return 0;
   }
   [[nodiscard]] std::uint64_t halves_extras() const { return halves_extras_; }
+  [[nodiscard]] std::uint64_t quads() const { return quads_; }
 
   // What the second walk needs, and this one does not.
   static VertexId centre(const CellRef& /*leaf*/) { return 0; }
@@ -37,6 +38,7 @@ class FatePlanner {
   TemplateTree& tree_;
   Counters& counters_;
   std::uint64_t halves_extras_ = 0;
+  std::uint64_t quads_ = 0;  ///< including the few whose extras are dropped
 };
 
 /// The outer extras at the four corners of the root lie on no chain that is ever stitched.
@@ -159,6 +161,15 @@ class QuadEmitter {
   Counters& counters_;
 };
 
+/// Centres, outer and inner extras by template, and the extras of the 2,2 case, less the dropped.
+std::uint64_t vertex_count(const TemplateTree& tree, const FatePlanner& planner, const Counters& counters) {
+  const auto nodes = [&counters](Template t) { return counters.templates[static_cast<std::size_t>(t)]; };
+  const std::uint64_t outer = nodes(Template::kT1) + 2 * nodes(Template::kT2a) + 2 * nodes(Template::kT2b) +
+                              3 * nodes(Template::kT3);
+  const std::uint64_t inner = nodes(Template::kT1) + 2 * nodes(Template::kT2b);
+  return tree.leaf_count() + outer + inner + planner.halves_extras() - counters.extras_dropped;
+}
+
 }  // namespace
 
 Mesh quadrangulate(TemplateTree& tree, const RootSquare& root, TwoTwoVariant variant,
@@ -171,7 +182,10 @@ Mesh quadrangulate(TemplateTree& tree, const RootSquare& root, TwoTwoVariant var
   mesh.vertices = Vertices(root.exponent);
   mesh.cells = tree.leaf_count();
   mesh.construction_names.assign(kConstructionNames.begin(), kConstructionNames.end());
-  // A leaf has at most two extras of its own beside the extras of the 2,2 case.
+  mesh.vertices.reserve(vertex_count(tree, planner, counters));
+  mesh.quads.reserve(planner.quads());
+  mesh.construction.reserve(planner.quads());
+  mesh.level.reserve(planner.quads());
   VertexNumbering(tree, root, mesh.vertices, counters).run();
 
   QuadEmitter emitter(tree, root, mesh, counters);

@@ -4,21 +4,6 @@
 #include <utility>
 
 namespace quadbound {
-namespace {
-
-constexpr bool is_horizontal(Direction d) { return d == kEast || d == kWest; }
-
-/// The quadrant that a step in a direction leads to, in the same or in the neighbouring node.
-constexpr Quadrant mirrored(Quadrant q, Direction d) {
-  return is_horizontal(d) ? quadrant(!is_east(q), is_north(q)) : quadrant(is_east(q), !is_north(q));
-}
-
-/// Whether a step in a direction from a quadrant leaves the node.
-constexpr bool leaves_node(Quadrant q, Direction d) {
-  return is_horizontal(d) ? is_east(q) == (d == kEast) : is_north(q) == (d == kNorth);
-}
-
-}  // namespace
 
 Quadtree::Quadtree(const RootSquare& root, std::vector<LatticePoint> points,
                    std::uint64_t max_leaves)
@@ -46,26 +31,6 @@ LatticePoint Quadtree::corner(Cell cell) const {
   const std::int64_t side = std::int64_t{1} << side_bits(cell);
   return {low.x + (is_east(cell.quadrant) ? side : 0),
           low.y + (is_north(cell.quadrant) ? side : 0)};
-}
-
-std::optional<Cell> Quadtree::neighbour(Cell cell, Direction direction) const {
-  const Quadrant there = mirrored(cell.quadrant, direction);
-  if (!leaves_node(cell.quadrant, direction)) return Cell{cell.block, there};
-  const BlockId block = blocks_[cell.block].neighbour[direction];
-  if (block == kNone) return std::nullopt;
-  return Cell{block, there};
-}
-
-std::optional<Cell> Quadtree::extended_neighbour(Cell cell, int dx, int dy) const {
-  const Direction horizontal = dx > 0 ? kEast : kWest;
-  const Direction vertical = dy > 0 ? kNorth : kSouth;
-  if (dx == 0) return neighbour(cell, vertical);
-  if (dy == 0) return neighbour(cell, horizontal);
-  if (const auto beside = neighbour(cell, horizontal)) {
-    if (const auto corner = neighbour(*beside, vertical)) return corner;
-  }
-  if (const auto above = neighbour(cell, vertical)) return neighbour(*above, horizontal);
-  return std::nullopt;
 }
 
 BlockId Quadtree::add_block(Cell cell, LatticePoint corner, std::uint8_t level) {

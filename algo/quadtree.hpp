@@ -30,6 +30,16 @@ inline constexpr std::array<Quadrant, 4> kQuadrants{kNorthEast, kNorthWest, kSou
 enum Direction : std::uint8_t { kEast = 0, kNorth = 1, kWest = 2, kSouth = 3 };
 inline constexpr std::array<Direction, 4> kDirections{kEast, kNorth, kWest, kSouth};
 inline constexpr Direction reversed(Direction d) { return static_cast<Direction>((d + 2) & 3); }
+inline constexpr bool is_horizontal(Direction d) { return d == kEast || d == kWest; }
+
+/// The quadrant that a step in a direction leads to, in the same or in the neighbouring node.
+inline constexpr Quadrant mirrored(Quadrant q, Direction d) {
+  return is_horizontal(d) ? quadrant(!is_east(q), is_north(q)) : quadrant(is_east(q), !is_north(q));
+}
+/// Whether a step in a direction from a quadrant leaves the node.
+inline constexpr bool leaves_node(Quadrant q, Direction d) {
+  return is_horizontal(d) ? is_east(q) == (d == kEast) : is_north(q) == (d == kNorth);
+}
 
 /// The square that the whole tree divides: lower left corner and side in lattice units, the side a
 /// power of two.
@@ -108,10 +118,27 @@ class Quadtree {
   [[nodiscard]] PointId next_point(PointId id) const { return next_point_[id]; }
 
   /// The same-size edge neighbour; nullopt where that is outside the root or inside a larger leaf.
-  [[nodiscard]] std::optional<Cell> neighbour(Cell cell, Direction direction) const;
-  /// The same-size extended neighbour at an offset in {-1, 0, 1}^2, found through an edge neighbour
-  /// that exists; nullopt where there is none such.
-  [[nodiscard]] std::optional<Cell> extended_neighbour(Cell cell, int dx, int dy) const;
+  [[nodiscard]] std::optional<Cell> neighbour(Cell cell, Direction direction) const {
+    const Quadrant there = mirrored(cell.quadrant, direction);
+    if (!leaves_node(cell.quadrant, direction)) return Cell{cell.block, there};
+    const BlockId block = blocks_[cell.block].neighbour[direction];
+    if (block == kNone) return std::nullopt;
+    return Cell{block, there};
+  }
+  /// Calls visit(dx, dy, cell) for the extended neighbours (same size, sharing a side or a corner)
+  /// that exist and that are reached through an existing neighbour to the east or west. For a cell
+  /// with a point these are all that lie inside the root (condition B).
+  template <class Visit>
+  void for_extended_neighbours(Cell cell, const Visit& visit) const {
+    for (const int dx : {-1, 0, 1}) {
+      const std::optional<Cell> middle =
+          dx == 0 ? std::optional<Cell>(cell) : neighbour(cell, dx < 0 ? kWest : kEast);
+      if (!middle) continue;
+      if (dx != 0) visit(dx, 0, *middle);
+      if (const auto below = neighbour(*middle, kSouth)) visit(dx, -1, *below);
+      if (const auto above = neighbour(*middle, kNorth)) visit(dx, 1, *above);
+    }
+  }
 
   /// Splits a leaf and whatever balance asks for. Cells that were split are appended to `changed`.
   /// Throws: TreeBudgetExceeded.

@@ -28,31 +28,4 @@ void TemplateTree::set_fate(NodeId node, Quadrant q, ExtraFate fate) {
                                            (static_cast<unsigned>(fate) << shift));
 }
 
-Template which_template(const std::array<std::uint32_t, 4>& children) {
-  unsigned leaves = 0;
-  for (const Quadrant q : kQuadrants)
-    leaves |= ((children[q] & Quadtree::kLeaf) != 0 ? 1U : 0U) << q;
-  switch (leaves) {
-    case 0b0000:
-      return Template::kT0;
-    case 0b0001:
-    case 0b0010:
-    case 0b0100:
-    case 0b1000:
-      return Template::kT1;
-    case 0b0101:
-    case 0b1010:
-      return Template::kT2b;
-    case 0b1111:
-      return Template::kT4;
-    case 0b0011:
-    case 0b0110:
-    case 0b1100:
-    case 0b1001:
-      return Template::kT2a;
-    default:
-      return Template::kT3;
-  }
-}
-
 }  // namespace quadbound
