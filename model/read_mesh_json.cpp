@@ -23,18 +23,18 @@ class CoordinateStore {
   /// False where the text is no rational.
   bool add(std::string_view text) {
     if (add_small(text)) return true;
-    const auto value = parse_rational(text);
+    auto value = parse_rational(text);
     if (!value) return false;
     if (*value != 0) note(*value);
     entries_.push_back({static_cast<std::int64_t>(large_.size()), kLarge});
-    large_.push_back(*value);
+    large_.push_back(std::move(*value));
     return true;
   }
 
   [[nodiscard]] std::size_t size() const { return entries_.size(); }
 
-  /// Every two coordinates make a vertex.
-  [[nodiscard]] Vertices vertices() const {
+  /// Every two coordinates make a vertex. Leaves the store empty.
+  Vertices take_vertices() {
     const int exponent = finest_ ? std::max(*finest_, top_ - kLatticeBits) : 0;
     Vertices vertices(exponent);
     vertices.reserve(entries_.size() / 2);
@@ -44,8 +44,9 @@ class CoordinateStore {
       if (x && y)
         vertices.add({*x, *y});
       else
-        vertices.add_exact({exact(entries_[i]), exact(entries_[i + 1])});
+        vertices.add_exact({take_exact(entries_[i]), take_exact(entries_[i + 1])});
     }
+    *this = CoordinateStore();
     return vertices;
   }
 
@@ -106,12 +107,14 @@ class CoordinateStore {
     if (entry.exponent == kLarge) return std::nullopt;
     if (entry.mantissa == 0) return 0;
     if (entry.exponent < exponent) return std::nullopt;
-    // vertices() chose an exponent with which every value stays within 2^kLatticeBits.
+    // take_vertices() chose an exponent with which every value stays within 2^kLatticeBits.
     return entry.mantissa * (std::int64_t{1} << (entry.exponent - exponent));
   }
 
-  [[nodiscard]] Rational exact(const Entry& entry) const {
-    if (entry.exponent == kLarge) return large_[static_cast<std::size_t>(entry.mantissa)];
+  /// Big numbers move out, so that they do not take their space twice.
+  Rational take_exact(const Entry& entry) {
+    if (entry.exponent == kLarge)
+      return std::move(large_[static_cast<std::size_t>(entry.mantissa)]);
     return dyadic(entry.mantissa, entry.exponent);
   }
 
@@ -225,7 +228,7 @@ class MeshEvents final : public JsonEvents {
       if (name >= mesh_.construction_names.size())
         refuse(fmt::format("\"construction\" has {}, but there are {} construction names", name,
                            mesh_.construction_names.size()));
-    mesh_.vertices = coordinates_.vertices();
+    mesh_.vertices = coordinates_.take_vertices();
     return std::move(mesh_);
   }
 

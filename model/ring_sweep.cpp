@@ -59,22 +59,28 @@ class Sweep {
  public:
   explicit Sweep(const std::vector<Ring>& rings)
       : edges_(edges_of(rings)), active_(Below(edges_)), place_(edges_.size()) {
-    nesting_.around.resize(rings.size());
-    seen_.resize(rings.size(), false);
     for (const Ring& ring : rings) counter_clockwise_.push_back(ring_orientation(ring) > 0);
-  }
-
-  std::optional<RingNesting> run() {
-    std::vector<std::size_t> order(edges_.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    order_.resize(edges_.size());
+    std::iota(order_.begin(), order_.end(), std::size_t{0});
+    std::sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) {
       return lexicographically_before(start(a), start(b));
     });
-    const bool disjoint =
-        std::all_of(order.begin(), order.end(), [&](std::size_t v) { return pass_vertex(v); });
-    if (!disjoint) return std::nullopt;
-    return std::move(nesting_);
   }
+
+  [[nodiscard]] std::size_t edge_count() const { return edges_.size(); }
+
+  /// Whether the first `count` edges are disjoint.
+  bool run(std::size_t count) {
+    count_ = count;
+    active_.clear();
+    seen_.assign(counter_clockwise_.size(), false);
+    nesting_.around.assign(counter_clockwise_.size(), std::nullopt);
+    return std::all_of(order_.begin(), order_.end(),
+                       [&](std::size_t vertex) { return pass_vertex(vertex); });
+  }
+
+  /// After a run over all edges that found them disjoint.
+  RingNesting take_nesting() { return std::move(nesting_); }
 
  private:
   using Active = std::set<std::size_t, Below>;
@@ -89,10 +95,13 @@ class Sweep {
     const std::size_t in = edges_[vertex].before;
     const bool out_starts = edges_[out].rightward;
     const bool in_starts = !edges_[in].rightward;
+    const bool has_out = out < count_;
+    const bool has_in = in < count_;
     // First everything that ends here, so that it never ties with what starts here.
-    if (!out_starts && !remove(out)) return false;
-    if (!in_starts && !remove(in)) return false;
-    return (!out_starts || insert(out)) && (!in_starts || insert(in));
+    if (has_out && !out_starts && !remove(out)) return false;
+    if (has_in && !in_starts && !remove(in)) return false;
+    if (has_out && out_starts && !insert(out)) return false;
+    return !has_in || !in_starts || insert(in);
   }
 
   bool remove(std::size_t edge) {
@@ -130,6 +139,8 @@ class Sweep {
   }
 
   std::vector<Edge> edges_;
+  std::vector<std::size_t> order_;  ///< the vertices from left to right
+  std::size_t count_ = 0;
   Active active_;
   std::vector<Active::iterator> place_;
   std::vector<bool> counter_clockwise_;
@@ -149,7 +160,21 @@ int ring_orientation(const Ring& ring) {
 }
 
 std::optional<RingNesting> nesting_of_disjoint_rings(const std::vector<Ring>& rings) {
-  return Sweep(rings).run();
+  Sweep sweep(rings);
+  if (!sweep.run(sweep.edge_count())) return std::nullopt;
+  return sweep.take_nesting();
+}
+
+std::size_t first_edge_that_meets_an_earlier_one(const std::vector<Ring>& rings) {
+  Sweep sweep(rings);
+  // The first `disjoint` edges are disjoint, the first `meeting` are not.
+  std::size_t disjoint = 1;
+  std::size_t meeting = sweep.edge_count();
+  while (meeting - disjoint > 1) {
+    const std::size_t middle = disjoint + (meeting - disjoint) / 2;
+    (sweep.run(middle) ? disjoint : meeting) = middle;
+  }
+  return meeting - 1;
 }
 
 }  // namespace quadbound

@@ -23,6 +23,13 @@ struct RingNesting {
 /// Complexity: O(n log n) exact orientations (the sweep of Shamos and Hoey).
 std::optional<RingNesting> nesting_of_disjoint_rings(const std::vector<Ring>& rings);
 
+/// The smallest k such that edge k has a point in common with an edge before it, not counting the
+/// vertices that neighbours share. Edges are numbered through all rings; edge k starts at vertex k.
+///
+/// Requires: as above, and that nesting_of_disjoint_rings returned nullopt.
+/// Complexity: O(n log^2 n) exact orientations.
+std::size_t first_edge_that_meets_an_earlier_one(const std::vector<Ring>& rings);
+
 /// +1 where a ring is counter-clockwise, -1 where clockwise.
 /// Requires: a simple ring.
 int ring_orientation(const Ring& ring);

@@ -4,8 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/geometry.hpp>
-#include <boost/geometry/index/rtree.hpp>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
@@ -140,41 +138,22 @@ void require_different(const Corners& corners) {
                      fmt::format("{} is at the same place", corners.name(repeat->second)));
 }
 
-namespace index = boost::geometry::index;
-using BoxCorner = boost::geometry::model::point<double, 2, boost::geometry::cs::cartesian>;
-using Box = boost::geometry::model::box<BoxCorner>;
-
-Box box_of(const Point& a, const Point& b) {
-  return {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
-}
-
-/// The first edge that meets a later one, and the first that it meets. The tree only proposes
-/// candidates; the answer is a minimum and so independent of its order.
-[[noreturn]] void name_edges_that_meet(const Corners& corners) {
+/// The first edge that meets an earlier one, and the first that it meets.
+[[noreturn]] void name_edges_that_meet(const Polygon& polygon, const Corners& corners) {
   const auto& points = corners.points();
-  std::vector<std::size_t> next(points.size());
-  std::vector<std::pair<Box, std::size_t>> boxes;
-  for (std::size_t v = 0; v < points.size(); ++v) {
-    next[v] = corners.next(v);
-    boxes.emplace_back(box_of(points[v], points[next[v]]), v);
+  const std::size_t later = first_edge_that_meets_an_earlier_one(polygon.rings);
+  const std::size_t end = corners.next(later);
+  for (std::size_t v = 0; v < later; ++v) {
+    const std::size_t next = corners.next(v);
+    if (next == later || end == v) continue;
+    const Meeting how = meeting(points[v], points[next], points[later], points[end]);
+    if (how == Meeting::kApart) continue;
+    throw InputError(
+        corners.location(v),
+        fmt::format("the edge from here {} the edge from {}",
+                    how == Meeting::kCross ? "crosses" : "touches", corners.name(later)));
   }
-  const index::rtree<std::pair<Box, std::size_t>, index::rstar<16>> tree(boxes);
-  for (std::size_t v = 0; v < points.size(); ++v) {
-    std::optional<std::pair<std::size_t, Meeting>> found;
-    for (auto it = tree.qbegin(index::intersects(boxes[v].first)); it != tree.qend(); ++it) {
-      const std::size_t other = it->second;
-      if (other <= v || next[v] == other || next[other] == v) continue;
-      if (found && found->first < other) continue;
-      const Meeting how = meeting(points[v], points[next[v]], points[other], points[next[other]]);
-      if (how != Meeting::kApart) found = {other, how};
-    }
-    if (found)
-      throw InputError(corners.location(v),
-                       fmt::format("the edge from here {} the edge from {}",
-                                   found->second == Meeting::kCross ? "crosses" : "touches",
-                                   corners.name(found->first)));
-  }
-  throw std::logic_error("two searches for edges that meet disagree");
+  throw std::logic_error("an edge was said to meet an earlier one, but meets none");
 }
 
 void require_nesting(const Polygon& polygon, const RingNesting& nesting) {
@@ -207,7 +186,7 @@ void validate(const Polygon& polygon) {
   const Corners corners(polygon);
   require_different(corners);
   const auto nesting = nesting_of_disjoint_rings(polygon.rings);
-  if (!nesting) name_edges_that_meet(corners);
+  if (!nesting) name_edges_that_meet(polygon, corners);
   require_nesting(polygon, *nesting);
 }
 

@@ -24,10 +24,12 @@ void validate(const PointSet& points);
 /// other hole. 2. Orientation and straight angles (180 degrees) are never errors. 3. The finding is
 /// the first in this order, and among equals the one with the smallest ring and vertex: no ring,
 /// ring too short, coordinate out of range, zero-length edge, zero area, spike, vertex repeated,
-/// edges that meet, holes nested wrongly. It does not depend on any search order.
+/// edges that meet, hole in a wrong place. 4. Of edges that meet it is, in the order of the file,
+/// the first edge that meets an earlier one, together with the first that it meets; the earlier of
+/// the two gives the place of the error, and the message names the other.
 /// Errors: InputError naming ring and vertex. A finding about an edge names its first vertex.
-/// Complexity: O(n log n) for valid polygons, however long and close their edges are; to name the
-/// first pair of edges that meet, a search over edge boxes.
+/// Complexity: O(n log n) for valid polygons, however long and close their edges are;
+/// O(n log^2 n) where edges meet.
 void validate(const Polygon& polygon);
 
 /// The polygon with ring 0 counter-clockwise, the holes clockwise, and 0 in place of -0; the first

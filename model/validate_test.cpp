@@ -241,8 +241,8 @@ class SlowJudge {
           orientation(e.from, e.to, f.to) == 0 &&
           lexicographically_before(e.from, e.to) != lexicographically_before(f.from, f.to))
         return "spike";
-    for (std::size_t i = 0; i < edges_.size(); ++i)
-      for (std::size_t k = i + 1; k < edges_.size(); ++k)
+    for (std::size_t k = 0; k < edges_.size(); ++k)
+      for (std::size_t i = 0; i < k; ++i)
         if (const Meeting how = meet(edges_[i], edges_[k]); how != Meeting::kApart)
           return message(edges_[i], edges_[k], how);
     return "disjoint";
@@ -325,7 +325,12 @@ Ring slanted_comb(std::size_t teeth) {
 }
 
 TEST(ValidatePolygon, LongSlantedEdgesAndManyHolesTakeNoQuadraticTime) {
-  EXPECT_EQ(verdict({slanted_comb(25000)}), "accepted");
+  Ring comb = slanted_comb(25000);
+  EXPECT_EQ(verdict({comb}), "accepted");
+  comb.back() = {5, 0};
+  EXPECT_EQ(
+      verdict({comb}),
+      "a.file: ring 0, vertex 4: the edge from here crosses the edge from ring 0, vertex 100000");
   Rings plate{moved(kSquare, -10, -10, 1000)};
   for (int i = 0; i < 25000; ++i) plate.push_back(moved(kSquare, (i % 500) * 12, (i / 500) * 12));
   EXPECT_EQ(verdict(plate), "accepted");
