@@ -12,42 +12,6 @@
 namespace quadbound {
 namespace {
 
-struct SiteCells {
-  Cell centre;
-  std::array<Cell, 4> neighbour;
-};
-
-std::vector<SiteCells> site_cells(const SeparatedTree& separated) {
-  std::vector<SiteCells> sites;
-  sites.reserve(separated.cell_of_point.size());
-  for (const Cell cell : separated.cell_of_point) {
-    SiteCells site{cell, {}};
-    for (const Direction d : kDirections) site.neighbour[d] = *separated.tree.neighbour(cell, d);
-    sites.push_back(site);
-  }
-  return sites;
-}
-
-/// Names the cells by nodes of the template tree, so that the quadtree can be freed.
-void rename_cells(std::vector<SiteCells>& sites, const TemplateTree& tree) {
-  for (SiteCells& site : sites) {
-    site.centre.block = tree.node_of(site.centre.block);
-    for (Cell& cell : site.neighbour) cell.block = tree.node_of(cell.block);
-  }
-}
-
-std::vector<WarpSite> warp_sites(const std::vector<SiteCells>& sites, const TemplateTree& tree) {
-  const auto centre = [&tree](Cell cell) { return tree.centre(cell.block, cell.quadrant); };
-  std::vector<WarpSite> result;
-  result.reserve(sites.size());
-  for (const SiteCells& site : sites) {
-    WarpSite warp{centre(site.centre), {}};
-    for (const Direction d : kDirections) warp.neighbour[d] = centre(site.neighbour[d]);
-    result.push_back(warp);
-  }
-  return result;
-}
-
 PointMesh build(const PointSet& points, const PointMeshOptions& options) {
   const PlacedPoints placed = place_root(points.points);
   std::optional<SeparatedTree> separated =
@@ -56,9 +20,8 @@ PointMesh build(const PointSet& points, const PointMeshOptions& options) {
   result.root = placed.root;
   result.counters.splits = separated->tree.blocks().size();
   result.counters.refinement_splits = separated->refinement_splits;
-  std::vector<SiteCells> cells = site_cells(*separated);
+  const std::vector<SiteCells> cells = site_cells(*separated);
   TemplateTree tree(separated->tree);
-  rename_cells(cells, tree);
   separated.reset();  // the largest part of the memory, not needed any more
   result.mesh = quadrangulate(tree, placed.root, options.two_two, result.counters);
   result.mesh.input_vertices = points.points.size();

@@ -57,9 +57,9 @@ class Separation {
     }
   }
 
-  /// Every cell of a point, from the level that the conditions leave it at, gets its 24 cells around
-  /// it before it is asked whether it must be split: so that this, too, is a closure that does not
-  /// depend on the order.
+  /// Every cell of a point, from the level that the conditions leave it at, gets its 24 cells
+  /// around it before it is asked whether it must be split: so that this, too, is a closure that
+  /// does not depend on the order.
   void refine_five_by_five() {
     wants_grids_ = true;
     // A later split may break a grid that was whole: ask all again until nothing changes.
@@ -93,7 +93,8 @@ class Separation {
     if (tree_.next_point(first) != Quadtree::kEmptyLeaf) return true;      // A.1
     if (tree_.side_bits(cell) > separated_side_bits_[first]) return true;  // A.3
     int whole = 0;
-    tree_.for_extended_neighbours(cell, [&](int, int, Cell there) { whole += tree_.is_leaf(there) ? 1 : 0; });
+    tree_.for_extended_neighbours(
+        cell, [&](int, int, Cell there) { whole += tree_.is_leaf(there) ? 1 : 0; });
     return whole < 8;  // A.2: one is split; or one lies beyond the root
   }
 
@@ -226,7 +227,8 @@ std::int64_t square_start(Range range, std::int64_t side) {
   return (range.low - (side - range.length()) / 2) & -(side / 16);
 }
 
-/// Whether a comes before b on the Z curve: decided by the coordinate with the highest bit that differs.
+/// Whether a comes before b on the Z curve: decided by the coordinate with the highest bit that
+/// differs.
 bool z_less(LatticePoint a, LatticePoint b) {
   const auto dx = static_cast<std::uint64_t>(a.x ^ b.x);
   const auto dy = static_cast<std::uint64_t>(a.y ^ b.y);
@@ -287,7 +289,8 @@ PlacedPoints place_root(const std::vector<Point>& points) {
   const LatticePoint corner{square_start(x, side), square_start(y, side)};
   const std::int64_t farthest = std::max({-corner.x, -corner.y, corner.x + side, corner.y + side});
   // The finest lattice on which the farthest corner is at most 2^60.
-  const int spare = kLatticeBits - static_cast<int>(std::bit_width(static_cast<std::uint64_t>(farthest - 1)));
+  const int spare =
+      kLatticeBits - static_cast<int>(std::bit_width(static_cast<std::uint64_t>(farthest - 1)));
   PlacedPoints placed;
   placed.root.exponent = coarse - spare;
   placed.root.corner = {corner.x * (std::int64_t{1} << spare),
@@ -336,7 +339,8 @@ std::optional<std::string> broken_separation(const SeparatedTree& separated) {
   for (PointId id = 0; id < separated.cell_of_point.size(); ++id) {
     const Cell cell = separated.cell_of_point[id];
     if (!tree.has_point(cell)) return "a point without a cell";
-    if (tree.next_point(tree.first_point(cell)) != Quadtree::kEmptyLeaf) return "two points in one cell";
+    if (tree.next_point(tree.first_point(cell)) != Quadtree::kEmptyLeaf)
+      return "two points in one cell";
     for (int dx = -2; dx <= 2; ++dx) {
       for (int dy = -2; dy <= 2; ++dy) {
         std::optional<Cell> at = cell;

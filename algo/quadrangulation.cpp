@@ -162,10 +162,13 @@ class QuadEmitter {
 };
 
 /// Centres, outer and inner extras by template, and the extras of the 2,2 case, less the dropped.
-std::uint64_t vertex_count(const TemplateTree& tree, const FatePlanner& planner, const Counters& counters) {
-  const auto nodes = [&counters](Template t) { return counters.templates[static_cast<std::size_t>(t)]; };
-  const std::uint64_t outer = nodes(Template::kT1) + 2 * nodes(Template::kT2a) + 2 * nodes(Template::kT2b) +
-                              3 * nodes(Template::kT3);
+std::uint64_t vertex_count(const TemplateTree& tree, const FatePlanner& planner,
+                           const Counters& counters) {
+  const auto nodes = [&counters](Template t) {
+    return counters.templates[static_cast<std::size_t>(t)];
+  };
+  const std::uint64_t outer = nodes(Template::kT1) + 2 * nodes(Template::kT2a) +
+                              2 * nodes(Template::kT2b) + 3 * nodes(Template::kT3);
   const std::uint64_t inner = nodes(Template::kT1) + 2 * nodes(Template::kT2b);
   return tree.leaf_count() + outer + inner + planner.halves_extras() - counters.extras_dropped;
 }

@@ -80,7 +80,8 @@ inline Template which_template(const std::array<std::uint32_t, 4>& children) {
   constexpr Template t0 = Template::kT0, t1 = Template::kT1, a = Template::kT2a, b = Template::kT2b,
                      t3 = Template::kT3, t4 = Template::kT4;
   // By the set of quadrants that are leaves, NE = 1, NW = 2, SW = 4, SE = 8.
-  constexpr std::array<Template, 16> by_leaves{t0, t1, t1, a, t1, b, a, t3, t1, a, b, t3, a, t3, t3, t4};
+  constexpr std::array<Template, 16> by_leaves{t0, t1, t1, a,  t1, b,  a,  t3,
+                                               t1, a,  b,  t3, a,  t3, t3, t4};
   unsigned leaves = 0;
   for (const Quadrant q : kQuadrants) leaves |= (children[q] >> 31) << q;
   return by_leaves[leaves];

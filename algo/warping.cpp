@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "algo/warping.hpp"
 
-#include "algo/quadtree.hpp"
-
 namespace quadbound {
 namespace {
 
@@ -21,6 +19,31 @@ void set_coordinate(Vertices& vertices, VertexId vertex, bool is_x, double value
 }
 
 }  // namespace
+
+std::vector<SiteCells> site_cells(const SeparatedTree& separated) {
+  std::vector<SiteCells> sites;
+  sites.reserve(separated.cell_of_point.size());
+  for (const Cell cell : separated.cell_of_point) {
+    SiteCells site{cell, {}};
+    for (const Direction d : kDirections) site.neighbour[d] = *separated.tree.neighbour(cell, d);
+    sites.push_back(site);
+  }
+  return sites;
+}
+
+std::vector<WarpSite> warp_sites(const std::vector<SiteCells>& sites, const TemplateTree& tree) {
+  const auto centre = [&tree](Cell cell) {
+    return tree.centre(tree.node_of(cell.block), cell.quadrant);
+  };
+  std::vector<WarpSite> result;
+  result.reserve(sites.size());
+  for (const SiteCells& site : sites) {
+    WarpSite warp{centre(site.centre), {}};
+    for (const Direction d : kDirections) warp.neighbour[d] = centre(site.neighbour[d]);
+    result.push_back(warp);
+  }
+  return result;
+}
 
 void warp(Mesh& mesh, const std::vector<Point>& points, const std::vector<WarpSite>& sites,
           Warping warping, Counters& counters) {

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "algo/counters.hpp"
+#include "algo/point_separation.hpp"
+#include "algo/template_tree.hpp"
 #include "model/mesh.hpp"
 #include "model/polygon.hpp"
 
@@ -21,11 +23,21 @@ enum class Warping : std::uint8_t {
   kPaper,
 };
 
-/// The vertices at the centres of a point's cell and of its edge neighbours.
+/// A point's cell and its edge neighbours, while the quadtree stands.
+struct SiteCells {
+  Cell centre;
+  std::array<Cell, 4> neighbour;  ///< by Direction
+};
+std::vector<SiteCells> site_cells(const SeparatedTree& separated);
+
+/// The vertices at the centres of those cells.
 struct WarpSite {
   VertexId centre;
   std::array<VertexId, 4> neighbour;  ///< by Direction
 };
+
+/// Requires: `tree` was made of the quadtree of the cells, and its leaves are numbered.
+std::vector<WarpSite> warp_sites(const std::vector<SiteCells>& sites, const TemplateTree& tree);
 
 /// Guarantees: 1. site i's centre is exactly at point i. 2. with kAligned and the tree of
 /// separate_points all angles stay within thm-1's interval (theorem-1 checks every case).
