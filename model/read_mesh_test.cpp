@@ -3,10 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include "model/refusal_for_tests.hpp"
+#include "model/write_json.hpp"
+#include "model/write_msh.hpp"
+#include "model/write_obj.hpp"
 
 namespace quadbound {
 namespace {
@@ -299,6 +303,46 @@ TEST(ReadMeshObj, Refusals) {
   EXPECT_EQ(obj(vertices + "f 1 2 99999999999\n"),
             "a.file: line 4: there is no vertex \"99999999999\"");
   EXPECT_EQ(obj(vertices + "f 1 2 4\n"), "a.file: line 4: a face names vertex 4, but there are 3");
+}
+
+std::string written(void (*write)(std::ostream&, const Mesh&), const Mesh& mesh) {
+  std::ostringstream stream;
+  write(stream, mesh);
+  return stream.str();
+}
+
+/// The corners of all quads, by value.
+std::vector<RationalPoint> corners_of(const Mesh& mesh) {
+  std::vector<RationalPoint> corners;
+  for (const Quad& quad : mesh.quads)
+    for (const VertexId v : quad) corners.push_back(at(mesh, v));
+  return corners;
+}
+
+TEST(ReadMesh, ReadsWhatTheWritersWrite) {
+  const Mesh mesh = parse_mesh(
+      R"({"format": "quadbound-mesh", "version": 1, "quads": [[0,1,2,3], [1,4,5,2]],
+          "level": [1, 2], "construction_names": ["a"], "construction": [0, 0], "cells": 3,
+          "vertices": [["0","0"],["1/2","0"],["1/2","3"],["0","3"],["1/1024","-5"],["7","1/4"]]})",
+      MeshFormat::kJson, "a.file");
+  const std::string text = written(write_json, mesh);
+  EXPECT_EQ(written(write_json, parse_mesh(text, MeshFormat::kJson, "a.file")), text);
+  const Mesh from_msh = parse_mesh(written(write_msh, mesh), MeshFormat::kGmsh, "a.file");
+  EXPECT_EQ(corners_of(from_msh), corners_of(mesh));
+  const Mesh from_obj = parse_mesh(written(write_obj, mesh), MeshFormat::kObj, "a.file");
+  EXPECT_EQ(corners_of(from_obj), corners_of(mesh));
+}
+
+TEST(ReadMesh, CorruptedTextsAreReadOrRefused) {
+  const auto refusals = [](const std::string& text, MeshFormat format) {
+    return corrupted(text, [&](const std::string& bad) { (void)parse_mesh(bad, format, ""); });
+  };
+  EXPECT_GT(refusals(with(R"(, "faces": [[0,1,2]], "cells": 3, "level": [4])"), MeshFormat::kJson),
+            1000);
+  EXPECT_GT(refusals(kGmsh41, MeshFormat::kGmsh), 1000);
+  EXPECT_GT(refusals(kGmsh22, MeshFormat::kGmsh), 1000);
+  EXPECT_GT(refusals("v 0 0\nv 1 0 0\nv 1 1\nv 0 1\nf 1 2 3/1 4\nf -4 -3 -2\n", MeshFormat::kObj),
+            300);
 }
 
 TEST(ReadMesh, FormatGoesByExtensionUnlessGiven) {

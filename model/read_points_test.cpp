@@ -107,6 +107,15 @@ TEST(ReadPoints, ColumnsOfTextAndXyz) {
             "a.file: vertex 0: line 1: \"up\" is not a number");
 }
 
+TEST(ReadPoints, CorruptedTextsAreReadOrRefused) {
+  const auto refusals = [](const std::string& text, PointFormat format) {
+    return corrupted(text, [&](const std::string& bad) { (void)parse_points(bad, format, ""); });
+  };
+  EXPECT_GT(refusals("x,y\n1,2\n3.5,-4e2\n", PointFormat::kCsv), 300);
+  EXPECT_GT(refusals("2 2 1 0\n1 1 2 7\n2 3.5 -4e2 8\n", PointFormat::kNode), 300);
+  EXPECT_GT(refusals("1 2 3\n3.5 -4e2\n", PointFormat::kXyz), 300);
+}
+
 TEST(ReadPoints, FormatGoesByExtensionUnlessGiven) {
   const TemporaryFolder folder;
   EXPECT_EQ(read_points(folder.file("points.CSV", "1,2\n")).points, (Points{{1, 2}}));

@@ -144,12 +144,29 @@ std::vector<Ring> assemble(const Chains& chains) {
   return rings;
 }
 
+/// The smallest box around a ring.
+struct Box {
+  explicit Box(const Ring& ring) : low(ring.front()), high(ring.front()) {
+    for (const Point& p : ring) {
+      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+  }
+  [[nodiscard]] bool holds(const Point& p) const {
+    return low.x <= p.x && p.x <= high.x && low.y <= p.y && p.y <= high.y;
+  }
+  Point low;
+  Point high;
+};
+
 void require_hole_points_inside(const std::vector<Point>& holes, const Polygon& polygon) {
+  const std::vector<Box> boxes(polygon.rings.begin(), polygon.rings.end());
   for (std::size_t h = 0; h < holes.size(); ++h) {
-    const bool found =
-        std::any_of(polygon.rings.begin() + 1, polygon.rings.end(),
-                    [&](const Ring& ring) { return strictly_inside(holes[h], ring); });
-    if (!found)
+    std::size_t r = 1;
+    while (r < boxes.size() &&
+           !(boxes[r].holds(holes[h]) && strictly_inside(holes[h], polygon.rings[r])))
+      ++r;
+    if (r == boxes.size())
       throw InputError({polygon.file, {}, {}},
                        fmt::format("hole point {} lies inside no inner ring", h));
   }

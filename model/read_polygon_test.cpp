@@ -229,6 +229,23 @@ TEST(ReadPoly, Refusals) {
             "a.file: hole point 1 lies inside no inner ring");
 }
 
+TEST(ReadPolygon, CorruptedTextsAreReadOrRefused) {
+  const auto refusals = [](const std::string& text, PolygonFormat format) {
+    return corrupted(text, [&](const std::string& bad) { (void)parse_polygon(bad, format, ""); });
+  };
+  const std::string geometry = with("[[[0,0],[8,0],[0,8],[0,0]],[[1,1],[1.5,2],[2,1e0],[1,1]]]");
+  EXPECT_GT(
+      refusals(R"({"type": "Feature", "geometry": )" + geometry + "}", PolygonFormat::kGeoJson),
+      1000);
+  EXPECT_GT(refusals("POLYGON ((0 0,8 0,0 8,0 0),(1 1,1.5 2,2 1e0,1 1))", PolygonFormat::kWkt),
+            1000);
+  EXPECT_GT(refusals("7 2 0 0\n" + square_vertices(1) +
+                         "7 1\n1 5 6 0\n2 2 1 0\n3 7 5 0\n4 3 4 0\n5 3 2 0\n6 1 4 0\n7 6 7 0\n"
+                         "1\n1 2.5 3.5\n",
+                     PolygonFormat::kPoly),
+            1000);
+}
+
 TEST(ReadPolygon, FormatGoesByExtensionUnlessGiven) {
   const TemporaryFolder folder;
   const std::string text = "POLYGON((0 0,4 0,0 4,0 0))";
