@@ -19,7 +19,7 @@ class Linker {
       const auto at = corners_.at(v);
       if (at.empty()) continue;
       ++links_.used_vertices;
-      if (at.size() <= kFew && is_closed(at)) {
+      if (is_surely_closed(at)) {
         links_.directed_edges += at.size();
         check_turns(v, at);
       } else {
@@ -30,25 +30,47 @@ class Linker {
   }
 
  private:
-  static constexpr std::size_t kFew = 8;
   using Outgoing = std::pair<VertexId, CornerIndex>;  ///< the other end, the corner it leaves
 
-  /// Whether the outgoing edges differ and each is paired, for few corners.
+  /// Whether the outgoing edges differ and each is paired. The usual numbers of corners have a
+  /// loop of their own, for speed; for many corners this says no.
+  [[nodiscard]] bool is_surely_closed(std::span<const CornerIndex> at) const {
+    switch (at.size()) {
+      case 2:
+        return is_closed<2>(at);
+      case 3:
+        return is_closed<3>(at);
+      case 4:
+        return is_closed<4>(at);
+      case 5:
+        return is_closed<5>(at);
+      case 6:
+        return is_closed<6>(at);
+      case 7:
+        return is_closed<7>(at);
+      case 8:
+        return is_closed<8>(at);
+      default:
+        return false;
+    }
+  }
+
+  template <std::size_t kCount>
   [[nodiscard]] bool is_closed(std::span<const CornerIndex> at) const {
-    std::array<VertexId, kFew> next;
-    std::array<VertexId, kFew> previous;
-    for (std::size_t i = 0; i < at.size(); ++i) {
+    std::array<VertexId, kCount> next;
+    std::array<VertexId, kCount> previous;
+    for (std::size_t i = 0; i < kCount; ++i) {
       next[i] = corners_.next(at[i]);
       previous[i] = corners_.previous(at[i]);
     }
-    for (std::size_t i = 0; i < at.size(); ++i) {
+    bool closed = true;
+    for (std::size_t i = 0; i < kCount; ++i) {
       bool paired = false;
-      for (std::size_t j = 0; j < at.size(); ++j) paired |= previous[j] == next[i];
-      bool doubled = false;
-      for (std::size_t j = 0; j < i; ++j) doubled |= next[j] == next[i];
-      if (!paired || doubled) return false;
+      for (std::size_t j = 0; j < kCount; ++j) paired |= previous[j] == next[i];
+      for (std::size_t j = 0; j < i; ++j) closed &= next[j] != next[i];
+      closed &= paired;
     }
-    return true;
+    return closed;
   }
 
   void check_turns(VertexId v, std::span<const CornerIndex> at) {

@@ -62,13 +62,18 @@ class LatticeTable {
 class PointIndex {
  public:
   PointIndex(const std::vector<Point>& points, int exponent)
-      : table_(points.size(), 4), found_(points.size()), same_as_(points.size()) {
+      : table_(points.size(), 4),
+        hints_(std::bit_ceil(points.size() + 2)),
+        hint_shift_(64 - 5 - std::countr_zero(hints_.size())),
+        found_(points.size()),
+        same_as_(points.size()) {
     const Rational unit = dyadic(1, -exponent);
     lattice_.resize(points.size());
     for (std::size_t i = 0; i < points.size(); ++i) insert(i, points[i], exponent, unit);
   }
 
   void mark(LatticePoint point) {
+    if (!may_hold(point)) return;
     const std::uint32_t i = table_.find(point, [&](std::uint32_t k) { return lattice_[k]; });
     if (i != LatticeTable::kNone) found_[i].store(true, std::memory_order_relaxed);
   }
@@ -92,6 +97,8 @@ class PointIndex {
     const auto y = lattice_floor(point.y, exponent);
     if (x && y && x->exact && y->exact) {
       lattice_[i] = {x->floor, y->floor};
+      const std::uint64_t hint = hash(lattice_[i]) >> hint_shift_;
+      hints_[hint / 32] |= 1U << (hint % 32);
       const std::uint32_t same =
           table_.insert(lattice_[i], same_as_[i], [&](std::uint32_t k) { return lattice_[k]; });
       if (same != LatticeTable::kNone) same_as_[i] = same;
@@ -102,7 +109,15 @@ class PointIndex {
     }
   }
 
+  /// Most vertices are no input point, and 32 bits per point rule out nearly all of those.
+  [[nodiscard]] bool may_hold(LatticePoint point) const {
+    const std::uint64_t hint = hash(point) >> hint_shift_;
+    return ((hints_[hint / 32] >> (hint % 32)) & 1U) != 0;
+  }
+
   LatticeTable table_;
+  std::vector<std::uint32_t> hints_;
+  int hint_shift_;
   std::vector<LatticePoint> lattice_;
   std::map<RationalPoint, std::uint32_t, Lexicographic> others_;
   std::vector<std::atomic<bool>> found_;

@@ -78,11 +78,16 @@ class StoredPlane {
     return std::isfinite(point.x) && std::isfinite(point.y);
   }
   [[nodiscard]] bool changes(VertexId v) const {
-    if (on_lattice(v)) return lattice(v) != vertices_.lattice(v);
+    if (on_lattice(v)) {
+      const LatticePoint p = vertices_.lattice(v);
+      return !(is_small(p.x) && is_small(p.y)) && lattice(v) != p;
+    }
     return !is_finite(v) || exact_value(vertices_.rounded(v)) != vertices_.exact(v);
   }
 
  private:
+  static bool is_small(std::int64_t x) { return -(1LL << 53) <= x && x <= 1LL << 53; }
+
   // All integer multiples of 2^-1074 below 2^53 units are doubles, and 2^60 * 2^963 is one.
   static constexpr int kSmallestExponent = -1074;
   static constexpr int kLargestExponent = 1023 - kLatticeBits;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <type_traits>
+#include <utility>
 
 namespace quadbound::judge {
 namespace {
@@ -139,6 +140,35 @@ int slack_filter(Int128 rise, Int128 run, double largest, double edge_squared) {
   return left > right * 1.001 ? -1 : 0;
 }
 
+/// A corner that others are compared with again and again; in lowest terms, so that the usual ones
+/// (right angles, the bounds themselves) are small numbers.
+class Threshold {
+ public:
+  Threshold() = default;
+  /// Requires: 0 < cross.
+  explicit Threshold(Corner<Int128> corner) : corner_(corner) {
+    Int128 a = corner.cross;
+    for (Int128 b = corner.dot < 0 ? -corner.dot : corner.dot; b != 0;)
+      a = std::exchange(b, Int128(a % b));
+    corner_ = {Int128(corner.cross / a), Int128(corner.dot / a)};
+    is_small_ = corner_.cross <= 8 && corner_.dot <= 8 && corner_.dot >= -8;
+  }
+
+  /// The order of cot(corner) and cot(threshold). Requires: 0 < corner.cross.
+  [[nodiscard]] std::strong_ordering compare_cotangent(const Corner<Int128>& corner) const {
+    if (is_small_) {  // at most 2^123 * 8
+      const auto cross = static_cast<std::int64_t>(corner_.cross);
+      const auto dot = static_cast<std::int64_t>(corner_.dot);
+      return corner.dot * cross <=> corner.cross * dot;
+    }
+    return compare_products(corner.dot, corner_.cross, corner_.dot, corner.cross);
+  }
+
+ private:
+  Corner<Int128> corner_{1, 0};
+  bool is_small_ = true;
+};
+
 /// Surveys one chunk of quads.
 template <class Plane>
 class Surveyor {
@@ -186,7 +216,8 @@ class Surveyor {
         ++survey_.decisions.filter;
       } else {
         ++survey_.decisions.lattice;
-        judge(CornerId{q, static_cast<int>(i)}, corner_of<Int128>(edges, i));
+        const auto corner = corner_of<Int128>(edges, i);
+        if (!is_exactly_uninteresting(corner)) judge(CornerId{q, static_cast<int>(i)}, corner);
       }
     }
     return passes_of(edges);
@@ -217,6 +248,28 @@ class Surveyor {
            dot - high_ * cross > high_error_ * error;
   }
 
+  /// The same, decided exactly; ties with the extremes are common. May say no out of caution.
+  [[nodiscard]] bool is_exactly_uninteresting(const Corner<Int128>& corner) const {
+    return has_thresholds_ && corner.cross > 0 && low_exact_.compare_cotangent(corner) <= 0 &&
+           high_exact_.compare_cotangent(corner) >= 0;
+  }
+
+  void update_thresholds() {
+    const auto& smallest = survey_.smallest.extreme;
+    const auto& largest = survey_.largest.extreme;
+    has_thresholds_ = smallest && !smallest->rational && sector(smallest->lattice) == 1 &&
+                      largest && !largest->rational && sector(largest->lattice) == 1;
+    if (!has_thresholds_) return;
+    const Arctangent low = interval_.smallest;
+    const Arctangent high = interval_.from_straight;
+    low_exact_ =
+        Threshold(survey_.smallest.broken == 0 ? smallest->lattice
+                                               : Corner<Int128>{low.numerator, low.denominator});
+    high_exact_ =
+        Threshold(survey_.largest.broken == 0 ? largest->lattice
+                                              : Corner<Int128>{high.numerator, -high.denominator});
+  }
+
   void update_filter() {
     // Corners with a cotangent below low_ are larger than the smallest so far and than the bound.
     const auto& smallest = survey_.smallest.extreme;
@@ -226,6 +279,7 @@ class Surveyor {
         largest ? std::max(cotangent(*largest), -cotangent(interval_.from_straight)) : kInfinity;
     low_error_ = 1 + std::abs(low_);
     high_error_ = 1 + std::abs(high_);
+    update_thresholds();
   }
 
   template <class Number>
@@ -295,6 +349,9 @@ class Surveyor {
   const std::vector<Quad>& quads_;
   AngleInterval interval_;
   Survey survey_;
+  Threshold low_exact_;
+  Threshold high_exact_;
+  bool has_thresholds_ = false;
   double low_ = 0;
   double high_ = 0;
   double low_error_ = 0;
