@@ -15,12 +15,13 @@
 namespace quadbound {
 namespace {
 
-// ColorBrewer's YlGnBu in 5 classes: safe for colour-blind readers, in print and as greys.
+// ColorBrewer's YlGnBu in 6 classes without the darkest, on which edges could not be seen: safe for
+// colour-blind readers, in print and as greys.
 constexpr std::array<Colour, 5> kSequence{{{0xff, 0xff, 0xcc},
-                                           {0xa1, 0xda, 0xb4},
+                                           {0xc7, 0xe9, 0xb4},
+                                           {0x7f, 0xcd, 0xbb},
                                            {0x41, 0xb6, 0xc4},
-                                           {0x2c, 0x7f, 0xb8},
-                                           {0x25, 0x34, 0x94}}};
+                                           {0x2c, 0x7f, 0xb8}}};
 // Okabe and Ito's qualitative palette without black.
 constexpr std::array<Colour, 7> kCategories{{{0x56, 0xb4, 0xe9},
                                              {0xe6, 0x9f, 0x00},

@@ -36,8 +36,10 @@ std::array<Point, 4> normalised(std::array<Point, 4> edges) {
 /// Degrees of the angle between the edge into a corner and the edge out of it, inside the quad.
 double corner_degrees(const Point& in, const Point& out) {
   const Point back{-in.x, -in.y};
-  const double radians = std::atan2(cross(out, back), dot(out, back));
-  const double degrees = radians * (180 / std::numbers::pi);
+  const double sine = cross(out, back);
+  const double cosine = dot(out, back);
+  if (sine == 0 && cosine == 0) return 0;  // a side of length zero; its sign could make it 180
+  const double degrees = std::atan2(sine, cosine) * (180 / std::numbers::pi);
   return degrees < 0 ? degrees + 360 : degrees;
 }
 

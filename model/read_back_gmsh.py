@@ -4,7 +4,7 @@
 import gmsh
 import read_back
 
-LINE, QUADRILATERAL = 1, 3
+LINE, TRIANGLE, QUADRILATERAL = 1, 2, 3
 
 
 def read_nodes(mesh):
@@ -15,13 +15,13 @@ def read_nodes(mesh):
     read_back.same_points(mesh, points)
 
 
-def read_elements(dimension, entity, element_type, corners):
+def read_elements(element_type, entity):
     """Corner lists of the elements of one type on an entity, in the order of their tags."""
+    corners = element_type + 1  # true of the three types above
+    tags, nodes = gmsh.model.mesh.getElementsByType(element_type, entity)
     elements = {}
-    for kind, tags, nodes in zip(*gmsh.model.mesh.getElements(dimension, entity)):
-        assert kind == element_type, kind
-        for i, tag in enumerate(tags):
-            elements[int(tag)] = [int(n) - 1 for n in nodes[corners * i : corners * i + corners]]
+    for i, tag in enumerate(tags):
+        elements[int(tag)] = [int(n) - 1 for n in nodes[corners * i : corners * i + corners]]
     return [elements[tag] for tag in sorted(elements)]
 
 
@@ -31,7 +31,7 @@ def read_rings():
     for _, group in gmsh.model.getPhysicalGroups(1):
         name = gmsh.model.getPhysicalName(1, group)
         (curve,) = gmsh.model.getEntitiesForPhysicalGroup(1, group)
-        lines = read_elements(1, curve, LINE, 2)
+        lines = read_elements(LINE, curve)
         for (_, end), (start, _) in zip(lines, lines[1:] + lines[:1]):
             assert end == start, (name, lines)
         rings[int(name.removeprefix("ring "))] = [tuple(line) for line in lines]
@@ -44,7 +44,9 @@ def check(mesh):
     (group,) = gmsh.model.getPhysicalGroups(2)
     assert gmsh.model.getPhysicalName(*group) == "domain"
     (surface,) = gmsh.model.getEntitiesForPhysicalGroup(*group)
-    read_back.same_quads(mesh, read_elements(2, surface, QUADRILATERAL, 4))
+    read_back.same_quads(mesh, read_elements(QUADRILATERAL, surface))
+    read_back.same_triangles(mesh, read_elements(TRIANGLE, surface))
+    assert set(gmsh.model.mesh.getElementTypes()) <= {LINE, TRIANGLE, QUADRILATERAL}
     rings = read_rings()
     lines = [line for ring in rings for line in ring]
     assert len(lines) == len(set(lines)), mesh.name

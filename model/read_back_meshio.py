@@ -6,9 +6,15 @@ import read_back
 
 
 def check_blocks(mesh, read, map_point):
-    quads = [quad for block in read.cells if block.type == "quad" for quad in block.data]
-    read_back.same_quads(mesh, [[map_point(v) for v in quad] for quad in quads])
-    assert {block.type for block in read.cells} <= {"quad", "line"}, mesh.name
+    def faces(*kinds):
+        found = [face for block in read.cells if block.type in kinds for face in block.data]
+        return [[map_point(v) for v in face] for face in found]
+
+    read_back.same_quads(mesh, faces("quad"))
+    # meshio calls VTK's polygon by its name, with any number of corners.
+    read_back.same_triangles(mesh, faces("triangle", "polygon"))
+    known = {"quad", "triangle", "polygon", "line"}
+    assert {block.type for block in read.cells} <= known, mesh.name
 
 
 def check_msh(mesh, read):

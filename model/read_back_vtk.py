@@ -8,7 +8,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkFiltersVerdict import vtkMeshQuality
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 
-VTK_QUAD = 9
+VTK_POLYGON, VTK_QUAD = 7, 9
 
 
 def check_shapes(mesh, grid):
@@ -40,6 +40,15 @@ def check_numbers(mesh, grid):
             assert list(vtk_to_numpy(array)) == expected, (mesh.name, name)
 
 
+def cells_of_type(grid, cell_type):
+    cells = [i for i in range(grid.GetNumberOfCells()) if grid.GetCellType(i) == cell_type]
+    corners = []
+    for i in cells:
+        cell = grid.GetCell(i)
+        corners.append([cell.GetPointId(k) for k in range(cell.GetNumberOfPoints())])
+    return corners
+
+
 def main():
     folder, meshes = read_back.samples()
     for mesh in meshes:
@@ -48,17 +57,13 @@ def main():
         reader.Update()
         assert reader.GetErrorCode() == 0, mesh.name
         grid = reader.GetOutput()
-        assert grid.GetNumberOfCells() == len(mesh.quads), mesh.name
+        assert grid.GetNumberOfCells() == len(mesh.quads) + len(mesh.faces), mesh.name
         if not mesh.quads:
             continue
         assert grid.GetPoints().GetData().GetDataTypeAsString() == "double"
         read_back.same_points(mesh, vtk_to_numpy(grid.GetPoints().GetData()))
-        quads = []
-        for i in range(grid.GetNumberOfCells()):
-            assert grid.GetCellType(i) == VTK_QUAD, (mesh.name, i)
-            cell = grid.GetCell(i)
-            quads.append([cell.GetPointId(k) for k in range(4)])
-        read_back.same_quads(mesh, quads)
+        read_back.same_quads(mesh, cells_of_type(grid, VTK_QUAD))
+        read_back.same_triangles(mesh, cells_of_type(grid, VTK_POLYGON))
         check_numbers(mesh, grid)
         if mesh.name != "huge":  # its squares overflow there
             check_shapes(mesh, grid)

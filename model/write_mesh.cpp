@@ -19,14 +19,14 @@
 namespace quadbound {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, MeshFormat>, 7> kExtensions{{
-    {".json", MeshFormat::kJson},
-    {".vtu", MeshFormat::kVtu},
-    {".msh", MeshFormat::kMsh},
-    {".obj", MeshFormat::kObj},
-    {".svg", MeshFormat::kSvg},
-    {".pdf", MeshFormat::kPdf},
-    {".png", MeshFormat::kPng},
+constexpr std::array<std::pair<std::string_view, OutputFormat>, 7> kExtensions{{
+    {".json", OutputFormat::kJson},
+    {".vtu", OutputFormat::kVtu},
+    {".msh", OutputFormat::kMsh},
+    {".obj", OutputFormat::kObj},
+    {".svg", OutputFormat::kSvg},
+    {".pdf", OutputFormat::kPdf},
+    {".png", OutputFormat::kPng},
 }};
 
 std::string lower_case(std::string text) {
@@ -35,13 +35,14 @@ std::string lower_case(std::string text) {
   return text;
 }
 
-bool is_picture(MeshFormat format) {
-  return format == MeshFormat::kSvg || format == MeshFormat::kPdf || format == MeshFormat::kPng;
+bool is_picture(OutputFormat format) {
+  return format == OutputFormat::kSvg || format == OutputFormat::kPdf ||
+         format == OutputFormat::kPng;
 }
 
-void refuse_what_cannot_be(const std::string& path, MeshFormat format, const Mesh& mesh,
+void refuse_what_cannot_be(const std::string& path, OutputFormat format, const Mesh& mesh,
                            const WriteOptions& options) {
-  if (format == MeshFormat::kMsh && !can_be_msh(mesh))
+  if (format == OutputFormat::kMsh && !can_be_msh(mesh))
     throw WriteRefused(
         fmt::format("{}: MSH has only quads and triangles, and the mesh has a face "
                     "with another number of sides",
@@ -51,30 +52,30 @@ void refuse_what_cannot_be(const std::string& path, MeshFormat format, const Mes
     throw WriteRefused(fmt::format("{}: {}", path, *problem));
 }
 
-void write_as(MeshFormat format, std::ostream& stream, const Mesh& mesh,
+void write_as(OutputFormat format, std::ostream& stream, const Mesh& mesh,
               const PictureOptions& picture) {
   switch (format) {
-    case MeshFormat::kJson:
+    case OutputFormat::kJson:
       return write_json(stream, mesh);
-    case MeshFormat::kVtu:
+    case OutputFormat::kVtu:
       return write_vtu(stream, mesh);
-    case MeshFormat::kMsh:
+    case OutputFormat::kMsh:
       return write_msh(stream, mesh);
-    case MeshFormat::kObj:
+    case OutputFormat::kObj:
       return write_obj(stream, mesh);
-    case MeshFormat::kSvg:
+    case OutputFormat::kSvg:
       return write_svg(stream, mesh, picture);
-    case MeshFormat::kPdf:
+    case OutputFormat::kPdf:
       return write_pdf(stream, mesh, picture);
-    case MeshFormat::kPng:
+    case OutputFormat::kPng:
       return write_png(stream, mesh, picture);
   }
 }
 
 }  // namespace
 
-MeshFormat mesh_format(const std::string& path) {
-  if (path == "-") return MeshFormat::kJson;
+OutputFormat output_format(const std::string& path) {
+  if (path == "-") return OutputFormat::kJson;
   const std::string extension = lower_case(std::filesystem::path(path).extension().string());
   for (const auto& [known, format] : kExtensions)
     if (extension == known) return format;
@@ -87,7 +88,7 @@ MeshFormat mesh_format(const std::string& path) {
 }
 
 void write_mesh(const std::string& path, const Mesh& mesh, const WriteOptions& options) {
-  const MeshFormat format = options.format ? *options.format : mesh_format(path);
+  const OutputFormat format = options.format ? *options.format : output_format(path);
   refuse_what_cannot_be(path, format, mesh, options);
   write_file(path, [&](std::ostream& stream) { write_as(format, stream, mesh, options.picture); });
 }

@@ -11,11 +11,11 @@
 
 namespace quadbound {
 
-enum class MeshFormat { kJson, kVtu, kMsh, kObj, kSvg, kPdf, kPng };
+enum class OutputFormat { kJson, kVtu, kMsh, kObj, kSvg, kPdf, kPng };
 
 struct WriteOptions {
-  std::optional<MeshFormat> format;  ///< instead of the one that the file name tells
-  PictureOptions picture;            ///< for SVG, PDF and PNG
+  std::optional<OutputFormat> format;  ///< instead of the one that the file name tells
+  PictureOptions picture;              ///< for SVG, PDF and PNG
 };
 
 /// What was asked for cannot be written: an unknown extension, a picture coloured by something that
@@ -29,7 +29,7 @@ class WriteRefused : public std::invalid_argument {
 /// The format that a file name tells: .json .vtu .msh .obj .svg .pdf .png in any case; "-"
 /// (standard output) is JSON.
 /// Errors: WriteRefused, on one line that names the file and the extensions there are.
-MeshFormat mesh_format(const std::string& path);
+OutputFormat output_format(const std::string& path);
 
 /// Guarantees: 1. all that WriteRefused tells is found before anything is written. 2. The file
 /// holds either all of the new content or what it held before (see files.hpp). 3. The same mesh and

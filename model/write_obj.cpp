@@ -17,6 +17,8 @@ void write_face(TextOut& out, const Face& face) {
 
 void write_obj(std::ostream& stream, const Mesh& mesh) {
   TextOut out(stream);
+  out << "# " << mesh.vertices.size() << " vertices, "
+      << mesh.quads.size() + mesh.other_faces.size() << " faces\n";
   for (VertexId v = 0; v < mesh.vertices.size(); ++v) {
     const Point point = mesh.vertices.rounded(v);
     out << "v " << point.x << ' ' << point.y << " 0\n";

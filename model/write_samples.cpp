@@ -40,6 +40,13 @@ Mesh touching_parts() {
   return sample_grid(2, 2, 0, place, [](int column, int row) { return column == row; });
 }
 
+Mesh with_triangles() {
+  Mesh mesh = sample_grid(2, 1);
+  const VertexId tip = mesh.vertices.add_exact(point(3, 0.5));
+  mesh.other_faces = {{4, tip, 5}};
+  return mesh;
+}
+
 Mesh with_constructions() {
   Mesh mesh = sample_grid(4, 3);
   mesh.cells = 21;
@@ -87,6 +94,7 @@ std::vector<SampleMesh> sample_meshes() {
           {"thirds", thirds()},
           {"hole", with_hole()},
           {"touching", touching_parts()},
+          {"triangles", with_triangles()},
           {"empty", sample_grid(0, 0)}};
 }
 

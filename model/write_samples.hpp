@@ -31,7 +31,7 @@ Mesh sample_grid(
 Mesh sample_grid(int columns, int rows);
 
 /// With constructions and levels; with coordinates like 0.1, 1e6 + 0.3 and 1e-9; with thirds; with
-/// a hole; with two parts that touch at a vertex; without anything.
+/// a hole; with two parts that touch at a vertex; with a triangle; without anything.
 std::vector<SampleMesh> sample_meshes();
 
 }  // namespace quadbound
