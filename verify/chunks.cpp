@@ -7,8 +7,11 @@
 
 namespace quadbound::judge {
 
-Threads::Threads(unsigned count)
-    : count_(count != 0 ? count : static_cast<unsigned>(tbb::info::default_concurrency())) {}
+Threads::Threads(unsigned count) {
+  // TBB prints a warning where it is asked for more threads than it has.
+  const auto most = static_cast<unsigned>(tbb::info::default_concurrency());
+  count_ = count == 0 ? most : std::min(count, most);
+}
 
 void Threads::run(std::size_t count, void (*call)(const void*, std::size_t),
                   const void* context) const {

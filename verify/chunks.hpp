@@ -11,7 +11,7 @@ namespace quadbound::judge {
 
 class Threads {
  public:
-  /// 0: as many as there are cores.
+  /// 0: as many as there are cores; more than those are no more.
   explicit Threads(unsigned count);
   [[nodiscard]] unsigned count() const { return count_; }
 

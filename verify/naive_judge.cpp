@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "verify/naive_judge.hpp"
+
+#include <CGAL/Gmpq.h>
+#include <CGAL/Polygon_2.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <algorithm>
+#include <set>
+
+namespace quadbound::test {
+namespace {
+
+using Field = CGAL::Gmpq;
+using Kernel = CGAL::Simple_cartesian<Field>;
+using Location = Kernel::Point_2;
+using Direction = Kernel::Direction_2;
+using Edge = std::pair<VertexId, VertexId>;
+using Locations = std::vector<Location>;
+
+Field field(const Rational& value) { return Field(value.backend().data()); }
+Verdict verdict(bool holds) { return holds ? Verdict::holds : Verdict::fails; }
+
+bool is_malformed(const Mesh& mesh) {
+  if (mesh.quads.empty()) return true;
+  return std::any_of(mesh.quads.begin(), mesh.quads.end(), [&](const Quad& q) {
+    return std::set<VertexId>(q.begin(), q.end()).size() != 4 ||
+           *std::max_element(q.begin(), q.end()) >= mesh.vertices.size();
+  });
+}
+
+struct NaiveCorner {
+  std::pair<std::uint64_t, int> id;
+  Field cross;
+  Field dot;
+  Location at, next, previous;
+  /// From the outgoing edge as the x axis; corners without a direction count as zero degrees.
+  [[nodiscard]] Direction direction() const {
+    return cross == 0 && dot == 0 ? Direction(1, 0) : Direction(dot, cross);
+  }
+};
+
+std::vector<NaiveCorner> corners_of(const Mesh& mesh, const Locations& p) {
+  std::vector<NaiveCorner> corners;
+  for (std::uint64_t q = 0; q < mesh.quads.size(); ++q) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Quad& quad = mesh.quads[q];
+      const Location at = p[quad[i]];
+      const Location next = p[quad[(i + 1) % 4]];
+      const Location previous = p[quad[(i + 3) % 4]];
+      const auto u = next - at;
+      const auto v = previous - at;
+      corners.push_back(
+          {{q, static_cast<int>(i)}, CGAL::determinant(u, v), u * v, at, next, previous});
+    }
+  }
+  return corners;
+}
+
+const Direction kLow(2, 1);    // arctan(1/2)
+const Direction kHigh(-2, 1);  // 180 degrees - arctan(1/2)
+
+bool is_too_small(const NaiveCorner& c) { return c.direction() < kLow; }
+bool is_too_large(const NaiveCorner& c) { return c.direction() > kHigh; }
+bool is_convex(const NaiveCorner& c) { return CGAL::left_turn(c.previous, c.at, c.next); }
+
+/// 4 sqrt(2) 2^-53 M / l against the tangent of the excess, both squared.
+bool is_within_slack(const NaiveCorner& c, const Direction& bound) {
+  const Field x = bound.dx() * c.dot + bound.dy() * c.cross;  // the corner turned back by the bound
+  const Field y = bound.dx() * c.cross - bound.dy() * c.dot;
+  if (x <= 0) return false;
+  Field largest = 0;
+  for (const Location& p : {c.at, c.next, c.previous})
+    largest = std::max({largest, Field(abs(p.x())), Field(abs(p.y()))});
+  const Field shorter =
+      std::min(CGAL::squared_distance(c.at, c.next), CGAL::squared_distance(c.at, c.previous));
+  const Field unit = field(dyadic(1, -53));
+  return y * y * shorter <= 32 * unit * unit * largest * largest * x * x;
+}
+
+StoredVerdict stored_verdict(const std::vector<NaiveCorner>& corners,
+                             bool (*is_broken)(const NaiveCorner&), const Direction& bound,
+                             bool moved) {
+  auto result = StoredVerdict::holds;
+  for (const NaiveCorner& c : corners) {
+    if (!is_broken(c)) continue;
+    if (!moved || !is_within_slack(c, bound)) return StoredVerdict::fails;
+    result = StoredVerdict::within_rounding;
+  }
+  return result;
+}
+
+/// Two convex polygons are disjoint inside exactly when an edge of one has all of the other on its
+/// right or on itself.
+bool separates(const Locations& p, const Quad& a, const Quad& b) {
+  for (std::size_t i = 0; i < 4; ++i)
+    if (std::none_of(b.begin(), b.end(),
+                     [&](VertexId v) { return CGAL::left_turn(p[a[i]], p[a[(i + 1) % 4]], p[v]); }))
+      return true;
+  return false;
+}
+
+bool has_overlap(const Mesh& mesh, const Locations& p) {
+  for (std::size_t i = 0; i < mesh.quads.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (!separates(p, mesh.quads[i], mesh.quads[j]) &&
+          !separates(p, mesh.quads[j], mesh.quads[i]))
+        return true;
+  return false;
+}
+
+struct Edges {
+  std::multiset<Edge> directed;
+  std::set<Edge> unpaired;
+  std::set<Edge> undirected;
+  std::set<VertexId> vertices;
+};
+
+Edges edges_of(const Mesh& mesh) {
+  Edges edges;
+  for (const Quad& q : mesh.quads) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      const VertexId a = q[i];
+      const VertexId b = q[(i + 1) % 4];
+      edges.vertices.insert(a);
+      edges.directed.insert({a, b});
+      edges.undirected.insert(std::minmax(a, b));
+    }
+  }
+  for (const Edge& e : edges.directed)
+    if (edges.directed.count({e.second, e.first}) == 0) edges.unpaired.insert(e);
+  return edges;
+}
+
+bool is_conforming(const Edges& edges, const Locations& p) {
+  for (const Edge& e : edges.directed)
+    if (edges.directed.count(e) > 1) return false;
+  for (const Edge& e : edges.unpaired)
+    for (const Edge& f : edges.unpaired)
+      for (const VertexId v : {f.first, f.second})
+        if (CGAL::collinear(p[e.first], p[v], p[e.second]) &&
+            CGAL::collinear_are_strictly_ordered_along_line(p[e.first], p[v], p[e.second]))
+          return false;
+  return true;
+}
+
+/// The closed loops of the unpaired edges; nothing where they branch.
+std::optional<std::vector<CGAL::Polygon_2<Kernel>>> loops_of(const Edges& edges,
+                                                             const Locations& p) {
+  std::map<VertexId, VertexId> next;
+  std::set<VertexId> reached;
+  for (const Edge& e : edges.unpaired)
+    if (!next.insert(e).second || !reached.insert(e.second).second) return std::nullopt;
+  std::vector<CGAL::Polygon_2<Kernel>> loops;
+  while (!next.empty()) {
+    CGAL::Polygon_2<Kernel> loop;
+    auto at = next.begin();
+    while (at != next.end()) {
+      loop.push_back(p[at->first]);
+      const VertexId to = at->second;
+      next.erase(at);
+      at = next.find(to);
+    }
+    loops.push_back(loop);
+  }
+  return loops;
+}
+
+/// The member function would insist on a simple polygon.
+Field area_of(const Locations& loop) {
+  return CGAL::polygon_area_2(loop.begin(), loop.end(), Kernel());
+}
+
+bool is_simple(const CGAL::Polygon_2<Kernel>& loop) {
+  const std::set<Location> places(loop.vertices_begin(), loop.vertices_end());
+  return places.size() == loop.size() && loop.is_simple();
+}
+
+bool is_kept(const Point& point, const Edges& edges, const Locations& p) {
+  const Location place{Field(point.x), Field(point.y)};
+  return std::any_of(edges.vertices.begin(), edges.vertices.end(),
+                     [&](VertexId v) { return p[v] == place; });
+}
+
+void judge_boundary(const Mesh& mesh, const Edges& edges, const Locations& p, NaiveReport& report) {
+  const auto loops = loops_of(edges, p);
+  report.exact["one-boundary"] = verdict(loops && loops->size() == 1 && is_simple(loops->front()));
+  report.exact["area"] = Verdict::not_decided;
+  if (!loops || loops->empty()) return;
+  Field covered = 0;
+  for (const Quad& q : mesh.quads) covered += area_of({p[q[0]], p[q[1]], p[q[2]], p[q[3]]});
+  Field enclosed = area_of(loops->front().container());
+  for (const auto& loop : *loops) enclosed = std::max(enclosed, area_of(loop.container()));
+  report.exact["area"] = verdict(covered == enclosed);
+}
+
+void judge_corners(const std::vector<NaiveCorner>& corners, NaiveReport& report) {
+  report.exact["min-angle"] = verdict(std::none_of(corners.begin(), corners.end(), is_too_small));
+  report.exact["max-angle"] = verdict(std::none_of(corners.begin(), corners.end(), is_too_large));
+  report.exact["strictly-convex"] = verdict(std::all_of(corners.begin(), corners.end(), is_convex));
+  const auto less = [](const NaiveCorner& a, const NaiveCorner& b) {
+    return a.direction() < b.direction();
+  };
+  report.smallest = std::min_element(corners.begin(), corners.end(), less)->id;
+  report.largest = std::max_element(corners.begin(), corners.end(), less)->id;
+}
+
+void judge_stored(const Mesh& mesh, const Edges& edges, const Locations& p, NaiveReport& report) {
+  Locations stored;
+  bool moved = false;
+  for (VertexId v = 0; v < mesh.vertices.size(); ++v) {
+    const Point rounded = mesh.vertices.rounded(v);
+    stored.emplace_back(Field(rounded.x), Field(rounded.y));
+    moved |= edges.vertices.count(v) != 0 && stored[v] != p[v];
+  }
+  const auto corners = corners_of(mesh, stored);
+  report.stored["min-angle"] = stored_verdict(corners, is_too_small, kLow, moved);
+  report.stored["max-angle"] = stored_verdict(corners, is_too_large, kHigh, moved);
+  report.stored["strictly-convex"] = std::all_of(corners.begin(), corners.end(), is_convex)
+                                         ? StoredVerdict::holds
+                                         : StoredVerdict::fails;
+}
+
+}  // namespace
+
+NaiveReport naive_judge(const PointSet& points, const Mesh& mesh) {
+  NaiveReport report;
+  report.exact["size-3N"] =
+      mesh.cells == 0 ? Verdict::not_decided : verdict(mesh.quads.size() <= 3 * mesh.cells);
+  report.exact["all-quad"] = verdict(!is_malformed(mesh) && mesh.other_faces.empty());
+  if (is_malformed(mesh)) {
+    for (const char* id : {"distinct-vertices", "conforming", "strictly-convex", "one-boundary",
+                           "no-overlap", "euler", "area", "points-kept", "min-angle", "max-angle"})
+      report.exact[id] = Verdict::not_decided;
+    return report;
+  }
+  Locations p;
+  for (VertexId v = 0; v < mesh.vertices.size(); ++v) {
+    const RationalPoint exact = mesh.vertices.exact(v);
+    p.emplace_back(field(exact.x), field(exact.y));
+  }
+  const Edges edges = edges_of(mesh);
+  std::set<Location> places;
+  for (const VertexId v : edges.vertices) places.insert(p[v]);
+  report.exact["distinct-vertices"] = verdict(places.size() == edges.vertices.size());
+  report.exact["conforming"] = verdict(is_conforming(edges, p));
+  report.exact["euler"] =
+      verdict(edges.vertices.size() + mesh.quads.size() == edges.undirected.size() + 1);
+  report.exact["points-kept"] =
+      verdict(std::all_of(points.points.begin(), points.points.end(),
+                          [&](const Point& point) { return is_kept(point, edges, p); }));
+  judge_boundary(mesh, edges, p, report);
+  judge_corners(corners_of(mesh, p), report);
+  report.exact["no-overlap"] = report.exact["strictly-convex"] == Verdict::holds
+                                   ? verdict(!has_overlap(mesh, p))
+                                   : Verdict::not_decided;
+  judge_stored(mesh, edges, p, report);
+  return report;
+}
+
+}  // namespace quadbound::test
