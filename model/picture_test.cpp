@@ -5,7 +5,7 @@
 
 #include <array>
 #include <cmath>
-#include <regex>
+#include <cstdlib>
 #include <sstream>
 
 #include "model/mesh_edges.hpp"
@@ -41,14 +41,16 @@ Mesh slanted_grid(int columns, int rows) {
   return mesh;
 }
 
-/// The points of all paths, in pixels.
+/// The points of all paths, in pixels: "M" or "l" and two numbers.
 std::vector<Point> path_points(const std::string& text) {
-  static const std::regex step("([Ml])(-?[0-9]+)[ ]?(-?[0-9]+)");
   std::vector<Point> points;
   Point at;
-  for (std::sregex_iterator it(text.begin(), text.end(), step), end; it != end; ++it) {
-    const Point move{std::stod((*it)[2]) / 100, std::stod((*it)[3]) / 100};
-    at = (*it)[1] == "M" ? move : Point{at.x + move.x, at.y + move.y};
+  for (const char* c = text.c_str(); *c != 0; ++c) {
+    if ((*c != 'M' && *c != 'l') || (c[1] != '-' && (c[1] < '0' || c[1] > '9'))) continue;
+    char* end = nullptr;
+    const auto x = static_cast<double>(std::strtol(c + 1, &end, 10)) / 100;
+    const auto y = static_cast<double>(std::strtol(end, &end, 10)) / 100;
+    at = *c == 'M' ? Point{x, y} : Point{at.x + x, at.y + y};
     points.push_back(at);
   }
   return points;
