@@ -153,8 +153,9 @@ void add_copy(Case& c, Random& random) {
   const std::size_t count = c.mesh.quads.size();
   const auto vertices = static_cast<VertexId>(c.mesh.vertices.size());
   const Rational size = edge_size(c.mesh);
-  const Rational dx = pick(random, 2) == 0 ? random_step(random, 8 * size) : Rational(8 * size);
-  const Rational dy = random_step(random, 8 * size);
+  const Rational reach = pick(random, 4) == 0 ? Rational(8 * size) : size;
+  const Rational dx = random_step(random, reach);
+  const Rational dy = random_step(random, reach);
   for (VertexId v = 0; v < vertices; ++v) {
     const RationalPoint p = c.mesh.vertices.exact(v);
     c.mesh.vertices.add_exact({p.x + dx, p.y + dy});
@@ -213,7 +214,7 @@ void add_point(Case& c, Random& random) {
   c.points.points.push_back({coordinate(), coordinate()});
 }
 void change_cells(Case& c, Random& random) {
-  c.mesh.cells = (c.mesh.quads.size() + pick(random, 4)) / 3;
+  c.mesh.cells = (c.mesh.quads.size() - 1) / 3 + pick(random, 2);
 }
 
 // Damage that is none.
@@ -254,8 +255,8 @@ constexpr Kind kKinds[] = {
     {"quad split into triangles", split_into_triangles, 95},
     {"other face added", add_other_face, 95},
     {"hanging nodes", hang_nodes, 50},
-    {"corner torn off", tear_corner, 80},
-    {"vertex torn in two", tear_vertex, 50},
+    {"corner torn off", tear_corner, 60},
+    {"vertex torn in two", tear_vertex, 10},
     {"quad glued on", glue_quad, 70},
     {"whole mesh copied", add_copy, 95},
     {"vertices merged", merge_vertices, 50},
@@ -322,6 +323,23 @@ std::map<std::string, std::string> expect_agreement(const Case& c) {
   return verdicts;
 }
 
+/// How often each verdict on each claim was given.
+using Tally = std::map<std::string, std::map<std::string, int>>;
+
+/// Every claim must have been found to hold and to fail, and to be open where that is possible.
+void expect_all_verdicts(Tally& tally) {
+  for (auto& [claim, verdicts] : tally) {
+    EXPECT_GE(verdicts["holds"], 50) << claim;
+    EXPECT_GE(verdicts["fails"], 50) << claim;
+    const bool is_stored = claim.find("stored") != std::string::npos;
+    if (!is_stored && claim != "all-quad" && claim != "size-3N" && claim != "thm-1") {
+      EXPECT_GE(verdicts["not-decided"], 50) << claim;
+    }
+  }
+  EXPECT_GE(tally["min-angle as stored"]["within-rounding"], 50);
+  EXPECT_GE(tally["max-angle as stored"]["within-rounding"], 50);
+}
+
 class Mutants : public testing::TestWithParam<int> {};
 
 TEST_P(Mutants, BothJudgesAgreeOnEveryClaim) {
@@ -331,6 +349,7 @@ TEST_P(Mutants, BothJudgesAgreeOnEveryClaim) {
   std::vector<std::map<std::string, std::string>> sound;
   for (const Case& base : bases) sound.push_back(expect_agreement(base));
   constexpr int kMutantsOfAKind = 180;
+  Tally tally;
   for (const Kind& kind : kKinds) {
     int effective = 0;
     for (int i = 0; i < kMutantsOfAKind; ++i) {
@@ -338,15 +357,19 @@ TEST_P(Mutants, BothJudgesAgreeOnEveryClaim) {
       Case mutant = bases[base];
       kind.damage(mutant, random);
       SCOPED_TRACE(std::string(kind.name) + ", " + mutant.name + ", number " + std::to_string(i));
-      if (expect_agreement(mutant) != sound[base]) ++effective;
+      const auto verdicts = expect_agreement(mutant);
+      if (verdicts != sound[base]) ++effective;
+      for (const auto& [claim, verdict] : verdicts) ++tally[claim][verdict];
       if (HasFailure()) return;
     }
+    RecordProperty(kind.name, effective);
     if (kind.effective_percent == 0) {
       EXPECT_EQ(effective, 0) << kind.name;
     } else {
       EXPECT_GE(100 * effective, kind.effective_percent * kMutantsOfAKind) << kind.name;
     }
   }
+  expect_all_verdicts(tally);
 }
 
 TEST_P(Mutants, BothJudgesAgreeOnMutantsOfMutants) {
@@ -372,8 +395,8 @@ TEST_P(Mutants, BothJudgesAgreeOnMutantsOfMutants) {
   }
 }
 
-// 8 * (29 * 180 + 600) = 46,560 mutants.
-INSTANTIATE_TEST_SUITE_P(Seeds, Mutants, testing::Range(1, 9));
+// 4 * (29 * 180 + 600) = 23,280 mutants.
+INSTANTIATE_TEST_SUITE_P(Seeds, Mutants, testing::Range(1, 5));
 
 }  // namespace
 }  // namespace quadbound::test

@@ -151,6 +151,8 @@ std::optional<std::vector<CGAL::Polygon_2<Kernel>>> loops_of(const Edges& edges,
   std::set<VertexId> reached;
   for (const Edge& e : edges.unpaired)
     if (!next.insert(e).second || !reached.insert(e.second).second) return std::nullopt;
+  for (const VertexId v : reached)
+    if (next.count(v) == 0) return std::nullopt;
   std::vector<CGAL::Polygon_2<Kernel>> loops;
   while (!next.empty()) {
     CGAL::Polygon_2<Kernel> loop;
