@@ -24,9 +24,14 @@ function(quadbound_library name)
   set_target_properties(quadbound_${name} PROPERTIES EXPORT_NAME ${name})
   target_include_directories(
     quadbound_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
+                             $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
                              $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/quadbound>)
   target_link_libraries(quadbound_${name} PUBLIC ${ARG_LINKS} PRIVATE ${ARG_PRIVATE_LINKS})
   quadbound_compile_rules(quadbound_${name})
+  install(TARGETS quadbound_${name} EXPORT QuadboundTargets)
+  install(DIRECTORY ./ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/quadbound/${name}
+          FILES_MATCHING PATTERN "*.hpp" PATTERN "*_for_tests.hpp" EXCLUDE
+          PATTERN "test_*.hpp" EXCLUDE PATTERN "naive_judge.hpp" EXCLUDE)
 endfunction()
 
 # quadbound_test(NAME SOURCES ... LINKS ...): one GoogleTest program, a CTest entry per test.
