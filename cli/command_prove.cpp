@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <memory>
 #include <string>
 
-#include "algo/theorem_1.hpp"
 #include "cli/commands.hpp"
 #include "cli/progress.hpp"
-#include "generators/points.hpp"
+#include "paper/theorem_1_table.hpp"
 
 namespace quadbound::cli {
 namespace {
@@ -18,44 +16,24 @@ struct ProveCommand {
   std::uint64_t trees = 500;
 };
 
-/// Random trees reach the templates and stitching cases, point sets the warped quads.
-ConfigurationCensus take_census(std::uint64_t trees) {
-  constexpr std::uint64_t kLeavesPerTree = 400;
-  constexpr std::uint64_t kPointsPerSet = 40;
-  ConfigurationCensus census;
-  Progress progress;
-  progress.stage("census");
-  for (std::uint64_t seed = 0; seed < trees; ++seed) {
-    progress.steps(seed, trees);
-    census.add_tree(random_balanced_tree(seed, kLeavesPerTree));
-    const auto recipe = fmt::format("uniform:n={},seed={}", kPointsPerSet, seed);
-    census.add_points(generate_points(parse_point_recipe(recipe)).points,
-                      seed % 2 == 0 ? GridRefinement::kSixBySix : GridRefinement::kFiveByFive);
-  }
-  return census;
-}
+/// Shows the census on the progress line.
+class CensusWatcher final : public Watcher {
+ public:
+  void stage(const std::string& name) override { progress_.stage(name); }
+  void steps(std::size_t done, std::size_t total) override { progress_.steps(done, total); }
+  void finished(const std::string& /*step*/, double /*seconds*/) override {}
+
+ private:
+  Progress progress_;
+};
 
 ExitStatus prove(const ProveCommand& options) {
-  const ConfigurationCensus census = take_census(options.trees);
-  fmt::print(
-      "thm-1: every angle is in [arctan(1/2), 180 - arctan(1/2)] = [26.57, 153.43] degrees\n\n");
-  fmt::print("{:<18} {:<28} {:<12} {:<22} {:<10} {}\n", "construction", "quad", "smallest",
-             "largest", "verdict", "met");
-  bool good = census.unlisted() == 0;
-  for (std::size_t i = 0; i < census.configurations().size(); ++i) {
-    const Configuration& c = census.configurations()[i];
-    good = good && c.proved && (census.count(i) > 0 || options.trees == 0);
-    const std::string quad = c.name + (c.moves() ? ", warped" : "");
-    fmt::print("{:<18} {:<28} {:<12} {:<22} {:<10} {}\n",
-               kConstructionNames[static_cast<std::size_t>(c.construction)], quad,
-               arctangent_text(c.smallest), arctangent_text(c.largest),
-               c.proved ? "proved" : "BROKEN", census.count(i));
-  }
-  fmt::print(
-      "\nWarped quads: the worst of the closed range of positions; proved for all of them.\n"
-      "Census: {} quads of {} random trees and {} point sets, {} of them of a shape not listed.\n",
-      census.quads(), options.trees, options.trees, census.unlisted());
-  return good ? kGood : kClaimFailed;
+  const Theorem1Table table = [&options] {
+    CensusWatcher watcher;
+    return make_theorem_1_table(options.trees, watcher);
+  }();
+  fmt::print("{}", to_text(table));
+  return table.holds() ? kGood : kClaimFailed;
 }
 
 }  // namespace

@@ -36,6 +36,7 @@ int run(int argc, char** argv) {
   add_verify_command(app, outcome);
   add_generate_command(app, outcome);
   add_prove_command(app, outcome);
+  add_reproduce_command(app, outcome);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {  // --help, --version

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "paper/claims.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "algo/construction.hpp"
+
+namespace quadbound {
+namespace {
+
+constexpr const char* kNotTheirCoordinates =
+    "the paper's coordinates are lost; ours are the same lake from GSHHG";
+
+class Comparison {
+ public:
+  explicit Comparison(const Reproduction& reproduction) : r_(reproduction) {}
+
+  std::vector<PaperClaim> run() {
+    lake();
+    theorem();
+    middle_quads();
+    degenerate_quads();
+    warping();
+    sizes();
+    return std::move(claims_);
+  }
+
+ private:
+  using Verdict = PaperVerdict;
+  using Of = Theorem1Table::Of;
+
+  void add(std::string id, std::string what, std::string paper, std::string ours, Verdict verdict,
+           std::string why = {}) {
+    claims_.push_back({std::move(id), std::move(what), std::move(paper), std::move(ours), verdict,
+                       std::move(why)});
+  }
+
+  void lake() {
+    const Measurement& m = r_.lake->measurement;
+    const auto count = [this](const char* what, const char* paper, std::uint64_t ours) {
+      add("fig-10", what, paper, with_commas(ours), Verdict::kDiffers, kNotTheirCoordinates);
+    };
+    add("fig-10", "points of Lake Superior, n", "303", with_commas(m.points),
+        m.points == 303 ? Verdict::kHolds : Verdict::kFails);
+    count("quadtree cells, N", "20,845", m.cells);
+    count("vertices", "24,463", m.vertices);
+    count("quads", "24,444", m.quads);
+    add("fig-10", "N / n", "68.8", fmt::format("{:.1f}", m.cells_per_point()), Verdict::kDiffers,
+        kNotTheirCoordinates);
+    add("fig-10", "quads / N", "1.173", fmt::format("{:.3f}", m.quads_per_cell()),
+        Verdict::kDiffers,
+        "the case 2,2 (Fig. 8a) adds two points and two quads, where the paper moves one");
+    add("fig-10", "smallest angle", "26.57", angle_text(m.smallest), held(m.proved()));
+  }
+
+  static Verdict held(bool holds, Verdict otherwise_good = Verdict::kHolds) {
+    return holds ? otherwise_good : Verdict::kFails;
+  }
+
+  void theorem() {
+    const char* const repair = "the centres beside a point are aligned with it";
+    add("thm-1", "smallest angle of any mesh", ">= 45 - arctan(1/3) = 26.57",
+        angle_text(smallest_met()), held(r_.holds(), Verdict::kHoldsAfterRepair), repair);
+    add("thm-1", "largest angle of any mesh", "<= 135 + arctan(1/3) = 153.43",
+        angle_text(largest_met()), held(r_.holds(), Verdict::kHoldsAfterRepair), repair);
+    const auto configurations = r_.theorem_1.census.configurations().size();
+    add("thm-1", "configurations proved", "by figures",
+        fmt::format("{} of {}, none unlisted in {} quads", configurations, configurations,
+                    with_commas(r_.theorem_1.census.quads())),
+        held(r_.theorem_1.holds()));
+    constexpr const char* kOneFour = "stitch 1|4";
+    const auto smallest = r_.theorem_1.smallest(Of::kAll, kOneFour);
+    const auto largest = r_.theorem_1.largest(Of::kAll, kOneFour);
+    add("thm-1", "both extremes in Fig. 5(5), stitch 1|4", "26.57, 153.43",
+        angle_text(smallest) + ", " + angle_text(largest),
+        held(2 * smallest.cross == smallest.dot && 2 * largest.cross == -largest.dot));
+  }
+
+  void middle_quads() {
+    const auto name = kConstructionNames[static_cast<std::size_t>(Construction::kMiddle)];
+    const auto smallest = r_.theorem_1.smallest(Of::kStill, name);
+    const auto largest = r_.theorem_1.largest(Of::kStill, name);
+    add("thm-1", "smallest angle of the middle quad", "2 arctan(1/4) = 28.07", angle_text(smallest),
+        held(15 * smallest.cross == 8 * smallest.dot));
+    add("thm-1", "largest angle of the middle quad", "180 - 2 arctan(1/4) = 151.93",
+        angle_text(largest), held(15 * largest.cross == -8 * largest.dot));
+  }
+
+  void degenerate_quads() {
+    const auto largest_of = [this](Construction c) {
+      return r_.theorem_1.largest(Of::kStill, kConstructionNames[static_cast<std::size_t>(c)]);
+    };
+    add("thm-1", "Fig. 8a, two leaves against 2,2", "126.87 after moving a centre",
+        angle_text(largest_of(Construction::kTwoTwoHalves)), Verdict::kDiffers,
+        "two extra points instead; Section 3 needs every centre in its place");
+    const auto reflected = std::max(largest_of(Construction::kLeafFour),
+                                    largest_of(Construction::kFourTwo), smaller_angle);
+    add("thm-1", "Fig. 8b and 8c, reflected extra point", "90 + arctan(1/3) + arctan(3/5) = 139.39",
+        angle_text(reflected),
+        held(nearest_double(Rational(reflected.cross / reflected.dot)) == -6.0 / 7.0));
+  }
+
+  void warping() {
+    add("thm-1", "smallest angle after warping (2.4.3)", "53.13", worst_warped(false),
+        Verdict::kDiffers, "the paper's figure is wrong; ours is the paper's own warping measured");
+    add("thm-1", "largest angle after warping (2.4.3)", "90 + arctan(1/3) = 108.53",
+        worst_warped(true), Verdict::kDiffers,
+        "wrong, and it breaks Theorem 1 (90 + arctan(1/3) is 108.43)");
+    add("thm-1", "quads moved by our warping", "-",
+        fmt::format("{:.2f} to {:.2f}, for every position of the point",
+                    degrees(r_.theorem_1.smallest(Of::kWarped)),
+                    degrees(r_.theorem_1.largest(Of::kWarped))),
+        held(r_.theorem_1.holds(), Verdict::kHoldsAfterRepair),
+        "the centres beside a point are aligned with it");
+  }
+
+  [[nodiscard]] std::string worst_warped(bool largest) const {
+    Corner<Rational> worst = largest ? r_.warped.front().largest : r_.warped.front().smallest;
+    std::uint64_t beyond = 0;
+    for (const Measurement& m : r_.warped) {
+      beyond += m.corners_beyond;
+      if (largest && smaller_angle(worst, m.largest)) worst = m.largest;
+      if (!largest && smaller_angle(m.smallest, worst)) worst = m.smallest;
+    }
+    return fmt::format("{:.2f}; {} corners beyond the bounds in {} sets", degrees(worst), beyond,
+                       r_.warped.size());
+  }
+
+  void sizes() {
+    const auto [low, high] = uniform_range();
+    add("80n", "N / n, uniform random sets", "about 80", fmt::format("{:.1f} to {:.1f}", low, high),
+        Verdict::kDiffers, "the paper's sets are not given; its own lake has 68.8");
+    const auto [all_low, all_high] = range_of_all();
+    add("80n", "N / n, all sets", "about 80 at all times",
+        fmt::format("{:.1f} to {:.1f}", all_low, all_high), Verdict::kDiffers,
+        "N depends on the distances in the set, as the paper says itself");
+    add("size-3N", "quads / N, largest", "<= 3", fmt::format("{:.3f}", most_quads_per_cell()),
+        held(r_.holds()));
+    add("80n", "N with the 5x5 grid alone", "possibly smaller",
+        fmt::format("{:.1f} % fewer cells on uniform sets", saving()), held(saving() > 0));
+  }
+
+  [[nodiscard]] Corner<Rational> smallest_met() const {
+    Corner<Rational> best = r_.lake->measurement.smallest;
+    for (const Group& g : r_.groups)
+      if (smaller_angle(g.smallest(), best)) best = g.smallest();
+    return best;
+  }
+  [[nodiscard]] Corner<Rational> largest_met() const {
+    Corner<Rational> best = r_.lake->measurement.largest;
+    for (const Group& g : r_.groups)
+      if (smaller_angle(best, g.largest())) best = g.largest();
+    return best;
+  }
+
+  template <class Filter>
+  [[nodiscard]] std::pair<double, double> range_of(const Filter& wanted) const {
+    std::pair<double, double> range{1e300, 0};
+    for (const Group& g : r_.groups) {
+      if (g.refinement != GridRefinement::kSixBySix || !wanted(g)) continue;
+      range = {std::min(range.first, g.smallest_ratio()),
+               std::max(range.second, g.largest_ratio())};
+    }
+    return range;
+  }
+  [[nodiscard]] std::pair<double, double> uniform_range() const {
+    return range_of([](const Group& g) { return g.set == "uniform"; });
+  }
+  [[nodiscard]] std::pair<double, double> range_of_all() const {
+    return range_of([](const Group&) { return true; });
+  }
+
+  [[nodiscard]] double most_quads_per_cell() const {
+    double most = r_.lake->measurement.quads_per_cell();
+    for (const Group& g : r_.groups) most = std::max(most, g.largest_quads_per_cell());
+    return most;
+  }
+
+  /// Percent, of the means over all uniform sets.
+  [[nodiscard]] double saving() const {
+    double six = 0;
+    double five = 0;
+    for (const Group& g : r_.groups)
+      if (g.set == "uniform")
+        (g.refinement == GridRefinement::kSixBySix ? six : five) += g.mean_ratio();
+    return 100 * (1 - five / six);
+  }
+
+  const Reproduction& r_;
+  std::vector<PaperClaim> claims_;
+};
+
+}  // namespace
+
+std::vector<PaperClaim> compare_with_paper(const Reproduction& reproduction) {
+  return Comparison(reproduction).run();
+}
+
+std::string verdict_text(const PaperClaim& claim) {
+  const std::string why = claim.why.empty() ? "" : ": " + claim.why;
+  switch (claim.verdict) {
+    case PaperVerdict::kHolds:
+      return "holds" + why;
+    case PaperVerdict::kHoldsAfterRepair:
+      return "holds after a repair" + why;
+    case PaperVerdict::kDiffers:
+      return "differs" + why;
+    case PaperVerdict::kFails:
+      break;
+  }
+  return "FAILS";
+}
+
+std::string_view grid_name(GridRefinement refinement) {
+  return refinement == GridRefinement::kSixBySix ? "6x6" : "5x5";
+}
+
+std::string angle_text(const Corner<Rational>& corner) {
+  constexpr std::size_t kReadable = 24;
+  const std::string exact = arctangent_text(corner);
+  const std::string rounded = fmt::format("{:.2f}", degrees(corner));
+  return corner.dot == 0 || exact.size() > kReadable ? rounded : rounded + " = " + exact;
+}
+
+std::string with_commas(std::uint64_t value) {
+  std::string digits = std::to_string(value);
+  for (std::size_t at = digits.size(); at > 3;) {
+    at -= 3;
+    digits.insert(at, ",");
+  }
+  return digits;
+}
+
+}  // namespace quadbound

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "paper/reproduction.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <filesystem>
+#include <utility>
+
+#include "generators/points.hpp"
+#include "model/read_points.hpp"
+#include "model/validate.hpp"
+
+namespace quadbound {
+namespace {
+
+constexpr std::array<std::uint64_t, 7> kSizes{100, 300, 1000, 3000, 10'000, 30'000, 100'000};
+constexpr std::uint64_t kSeeds = 5;
+constexpr std::uint64_t kLargeSize = 100'000;  ///< from here on fewer seeds
+constexpr std::uint64_t kSeedsOfLarge = 3;
+constexpr std::uint64_t kFamilySize = 1000;
+constexpr std::uint64_t kWarpedSize = 60;
+constexpr std::array<GridRefinement, 2> kGrids{GridRefinement::kSixBySix,
+                                               GridRefinement::kFiveByFive};
+
+class Clock {
+ public:
+  [[nodiscard]] double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+class Measuring {
+ public:
+  Measuring(const MeasureOptions& options, Watcher& watcher)
+      : options_(options), watcher_(watcher) {}
+
+  Reproduction run() {
+    step("fig-10: Lake Superior", [this] { lake(); });
+    step("80n: uniform sets", [this] { uniform(); });
+    step("80n: other families", [this] { families(); });
+    step("80n: real sets", [this] { real_sets(); });
+    step("thm-1: configurations",
+         [this] { result_.theorem_1 = make_theorem_1_table(options_.trees, watcher_); });
+    step("warping of the paper", [this] { warped(); });
+    return std::move(result_);
+  }
+
+ private:
+  template <class Work>
+  void step(const std::string& name, const Work& work) {
+    watcher_.stage(name);
+    const Clock clock;
+    work();
+    result_.times.push_back({name, clock.seconds()});
+    watcher_.finished(name, result_.times.back().seconds);
+  }
+
+  [[nodiscard]] PointSet read(const std::filesystem::path& path) const {
+    PointSet points = read_points(path.string());
+    validate(points);
+    return points;
+  }
+
+  void lake() {
+    result_.lake_points = read(std::filesystem::path(options_.data) / "superior-303.csv");
+    result_.lake = run_trial({"superior-303", std::nullopt}, result_.lake_points, options_.threads);
+  }
+
+  /// One group per grid.
+  void add_random(const std::string& family, std::uint64_t n, std::uint64_t seeds) {
+    for (const GridRefinement grid : kGrids) {
+      Group group{family, n, grid, {}};
+      for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+        watcher_.steps(seed - 1, seeds);
+        const Trial trial{family, seed, grid};
+        group.runs.push_back(run_trial(trial, points_of(trial, n), options_.threads).measurement);
+      }
+      result_.groups.push_back(std::move(group));
+    }
+  }
+
+  void uniform() {
+    for (const std::uint64_t n : kSizes) {
+      if (n > options_.max_n) break;
+      watcher_.stage(fmt::format("80n: uniform, n = {}", n));
+      add_random("uniform", n, n >= kLargeSize ? kSeedsOfLarge : kSeeds);
+    }
+  }
+
+  void families() {
+    const std::uint64_t n = std::min(kFamilySize, options_.max_n);
+    for (const FamilyDescription& family : point_families()) {
+      if (family.name == "uniform") continue;
+      watcher_.stage(fmt::format("80n: {}, n = {}", family.name, n));
+      add_random(std::string(family.name), n, kSeeds);
+    }
+  }
+
+  void add_real(const std::string& name, const PointSet& points) {
+    for (const GridRefinement grid : kGrids) {
+      Group group{name, points.points.size(), grid, {}};
+      group.runs.push_back(
+          run_trial({name, std::nullopt, grid}, points, options_.threads).measurement);
+      result_.groups.push_back(std::move(group));
+    }
+  }
+
+  void real_sets() {
+    add_real("superior-303", result_.lake_points);
+    for (const char* const name : {"coast-1000", "coast-10000"}) {
+      const auto path = std::filesystem::path(options_.data) / (std::string(name) + ".csv");
+      if (!std::filesystem::exists(path)) continue;
+      const PointSet points = read(path);
+      if (points.points.size() <= options_.max_n) add_real(name, points);
+    }
+  }
+
+  void warped() {
+    for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+      const Trial trial{"uniform", seed, GridRefinement::kSixBySix, Warping::kPaper};
+      result_.warped.push_back(
+          run_trial(trial, points_of(trial, kWarpedSize), options_.threads).measurement);
+    }
+  }
+
+  const MeasureOptions& options_;
+  Watcher& watcher_;
+  Reproduction result_;
+};
+
+template <class Value>
+std::pair<double, double> range(const std::vector<Measurement>& runs, const Value& value) {
+  double low = value(runs.front());
+  double high = low;
+  for (const Measurement& run : runs) {
+    low = std::min(low, value(run));
+    high = std::max(high, value(run));
+  }
+  return {low, high};
+}
+
+double ratio_of(const Measurement& m) { return m.cells_per_point(); }
+double quads_of(const Measurement& m) { return m.quads_per_cell(); }
+
+}  // namespace
+
+double Group::smallest_ratio() const { return range(runs, ratio_of).first; }
+double Group::largest_ratio() const { return range(runs, ratio_of).second; }
+double Group::largest_quads_per_cell() const { return range(runs, quads_of).second; }
+
+double Group::mean_ratio() const {
+  double sum = 0;
+  for (const Measurement& run : runs) sum += run.cells_per_point();
+  return sum / static_cast<double>(runs.size());
+}
+
+Corner<Rational> Group::smallest() const {
+  Corner<Rational> best = runs.front().smallest;
+  for (const Measurement& run : runs)
+    if (smaller_angle(run.smallest, best)) best = run.smallest;
+  return best;
+}
+
+Corner<Rational> Group::largest() const {
+  Corner<Rational> best = runs.front().largest;
+  for (const Measurement& run : runs)
+    if (smaller_angle(best, run.largest)) best = run.largest;
+  return best;
+}
+
+bool Group::proved() const {
+  return std::all_of(runs.begin(), runs.end(), [](const Measurement& m) { return m.proved(); });
+}
+
+bool Reproduction::holds() const {
+  return lake && lake->report.holds() && theorem_1.holds() &&
+         std::all_of(groups.begin(), groups.end(), [](const Group& g) { return g.proved(); });
+}
+
+const Group* Reproduction::find(const std::string& set, std::uint64_t points,
+                                GridRefinement refinement) const {
+  const auto found = std::find_if(groups.begin(), groups.end(), [&](const Group& g) {
+    return g.set == set && g.points == points && g.refinement == refinement;
+  });
+  return found == groups.end() ? nullptr : &*found;
+}
+
+Reproduction measure(const MeasureOptions& options, Watcher& watcher) {
+  return Measuring(options, watcher).run();
+}
+
+}  // namespace quadbound

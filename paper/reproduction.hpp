@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// The numbers of Section 2, measured: Fig. 10, N against n (80n), Theorem 1 case by case, and the
+// paper's own warping. Nothing is written here; paper/reproduce.hpp does.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "paper/experiment.hpp"
+#include "paper/theorem_1_table.hpp"
+#include "paper/watcher.hpp"
+
+namespace quadbound {
+
+struct StepTime {
+  std::string step;
+  double seconds = 0;
+};
+
+/// Measurements that differ in the seed only.
+struct Group {
+  std::string set;
+  std::uint64_t points = 0;
+  GridRefinement refinement = GridRefinement::kSixBySix;
+  std::vector<Measurement> runs;
+
+  [[nodiscard]] double smallest_ratio() const;  ///< of N / n
+  [[nodiscard]] double mean_ratio() const;
+  [[nodiscard]] double largest_ratio() const;
+  [[nodiscard]] double largest_quads_per_cell() const;
+  [[nodiscard]] Corner<Rational> smallest() const;
+  [[nodiscard]] Corner<Rational> largest() const;
+  [[nodiscard]] bool proved() const;
+};
+
+struct Reproduction {
+  std::optional<JudgedMesh> lake;  ///< Fig. 10; always there once measured
+  PointSet lake_points;
+  std::vector<Group> groups;        ///< in the order of the tables
+  std::vector<Measurement> warped;  ///< the paper's warping on random sets
+  Theorem1Table theorem_1;
+  std::vector<StepTime> times;
+
+  /// thm-1: every mesh with our warping is proved, and every configuration.
+  [[nodiscard]] bool holds() const;
+  /// The group of that name, size and grid; nullptr where it was not measured.
+  [[nodiscard]] const Group* find(const std::string& set, std::uint64_t points,
+                                  GridRefinement refinement) const;
+};
+
+struct MeasureOptions {
+  std::string data;               ///< folder with superior-303.csv; coast-*.csv are welcome
+  std::uint64_t max_n = 100'000;  ///< of the random sets
+  std::uint64_t trees = 500;      ///< of the census
+  unsigned threads = 1;           ///< of the judge
+};
+
+/// Guarantees: 1. all but `times` depends on the options alone, and not on the threads.
+/// Errors: InputError where superior-303.csv is missing or a file is not a point set.
+/// Complexity: some 90 s on one core at max_n = 100,000, growing linearly; 2 GB.
+Reproduction measure(const MeasureOptions& options, Watcher& watcher);
+
+}  // namespace quadbound
