@@ -330,7 +330,7 @@ using Tally = std::map<std::string, std::map<std::string, int>>;
 void expect_all_verdicts(Tally& tally) {
   for (auto& [claim, verdicts] : tally) {
     EXPECT_GE(verdicts["holds"], 50) << claim;
-    EXPECT_GE(verdicts["fails"], 50) << claim;
+    EXPECT_GE(verdicts["fails"], 25) << claim;
     const bool is_stored = claim.find("stored") != std::string::npos;
     if (!is_stored && claim != "all-quad" && claim != "size-3N" && claim != "thm-1") {
       EXPECT_GE(verdicts["not-decided"], 50) << claim;
