@@ -60,6 +60,7 @@ TEST(PlaceRoot, ScalesWithPowersOfTwo) {
   const PlacedPoints placed = place_root(points);
   for (const int exponent : {-300, -7, 3, 400}) {
     std::vector<Point> scaled;
+    scaled.reserve(points.size());
     for (const Point p : points)
       scaled.push_back({std::ldexp(p.x, exponent), std::ldexp(p.y, exponent)});
     const PlacedPoints again = place_root(scaled);

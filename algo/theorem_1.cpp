@@ -247,7 +247,7 @@ constexpr Position kLeafA{12, 4}, kLeafB{12, 12};    // leaves across
 constexpr Position kExtraA{10, 2}, kExtraB{10, 14};  // their outer extras
 constexpr Position kExtraAMirrored{6, 2}, kExtraBMirrored{6, 14};
 constexpr Position kS1{10, 2}, kS2{10, 6}, kS3{10, 10}, kS4{10, 14};  // split cells across
-constexpr Position kE1{9, 1}, kE2{9, 7}, kE3{9, 9}, kE4{9, 15};
+constexpr Position kE1{9, 1}, kE2{9, 7}, kE4{9, 15};
 constexpr Position kE1Mirrored{7, 1};
 constexpr Position kInner{6, 6};  // c's extra at the inner end
 

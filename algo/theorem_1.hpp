@@ -32,7 +32,10 @@ enum class Motion : std::uint8_t {
 struct QuadShape {
   std::array<std::array<std::int64_t, 2>, 4> at{};
   std::array<Motion, 4> motion{};
-  friend auto operator<=>(const QuadShape&, const QuadShape&) = default;
+  friend bool operator==(const QuadShape&, const QuadShape&) = default;
+  friend bool operator<(const QuadShape& a, const QuadShape& b) {
+    return a.at != b.at ? a.at < b.at : a.motion < b.motion;
+  }
 };
 
 /// The representative of a shape's class: all similar shapes give the same one.
