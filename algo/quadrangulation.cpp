@@ -30,9 +30,10 @@ class FatePlanner {
   static VertexId inner(const CellRef& /*leaf*/) { return 0; }
   static bool is_dropped(const CellRef& /*leaf*/) { return false; }
   static void move_centre(const CellRef& /*leaf*/, bool /*horizontal*/, Quadrant /*side*/) {}
-  static void quad(Construction /*construction*/, std::uint8_t /*level*/,
-                   bool /*counter_clockwise*/, VertexId /*a*/, VertexId /*b*/, VertexId /*c*/,
-                   VertexId /*d*/) {}
+  void quad(Construction /*construction*/, std::uint8_t /*level*/, bool /*counter_clockwise*/,
+            VertexId /*a*/, VertexId /*b*/, VertexId /*c*/, VertexId /*d*/) {
+    ++quads_;
+  }
 
  private:
   TemplateTree& tree_;
