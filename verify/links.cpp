@@ -75,7 +75,7 @@ class Linker {
 
   void check_turns(VertexId v, std::span<const CornerIndex> at) {
     unsigned turns = 0;
-    for (const CornerIndex c : at) turns += (passes_[c / 4] >> (c % 4)) & 1U;
+    for (const CornerIndex c : at) turns += (unsigned{passes_[c / 4]} >> (c % 4)) & 1U;
     if (turns != 1 && !links_.winding) links_.winding = {v, turns};
   }
 

@@ -493,7 +493,7 @@ TEST(Report, WorstCornerNamesConstructionAndLevel) {
   made.mesh.construction_names = {"T4", "2|2"};
   made.mesh.construction = {1, 0};
   made.mesh.level = {5, 6};
-  const Place& place = expect(made, {}).find("min-angle")->worst->place;
+  const Place place = expect(made, {}).find("min-angle")->worst->place;
   EXPECT_EQ(place.construction, "2|2");
   EXPECT_EQ(place.level, 5);
   EXPECT_EQ(place.vertex, 0U);
