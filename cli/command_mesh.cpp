@@ -75,6 +75,9 @@ bool proved(const Report& report) {
 }
 
 ExitStatus mesh(const MeshOptions& options) {
+  if (!options.points)
+    throw CLI::ValidationError("--points",
+                               "is needed: this version meshes sets of points, not polygons");
   for (const std::string& path : options.outputs) output_format(path);  // refuse before the work
   Progress progress;
   progress.stage("reading");
@@ -155,7 +158,7 @@ void add_mesh_command(CLI::App& app, Outcome& outcome) {
   auto options = std::make_shared<MeshOptions>();
   CLI::App* command = app.add_subcommand("mesh", "mesh a point set and prove the mesh");
   command->footer(kFooter);
-  command->add_flag("--points", options->points, "INPUT is a set of points (thm-1)")->required();
+  command->add_flag("--points", options->points, "INPUT is a set of points (thm-1)");
   command->add_option("INPUT", options->input, "points: .csv .node .xyz .txt")->required();
   command
       ->add_option("-o,--output", options->outputs,

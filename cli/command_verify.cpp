@@ -25,6 +25,9 @@ struct VerifyCommand {
 };
 
 ExitStatus verify(const VerifyCommand& options) {
+  if (!options.points)
+    throw CLI::ValidationError("--points",
+                               "is needed: this version judges sets of points, not polygons");
   Progress progress;
   progress.stage("reading");
   const PointSet points = read_points(options.input);
@@ -53,7 +56,7 @@ void add_verify_command(CLI::App& app, Outcome& outcome) {
   auto options = std::make_shared<VerifyCommand>();
   CLI::App* command = app.add_subcommand("verify", "judge a mesh, claim by claim");
   command->footer(kFooter);
-  command->add_flag("--points", options->points, "INPUT is a set of points (thm-1)")->required();
+  command->add_flag("--points", options->points, "INPUT is a set of points (thm-1)");
   command->add_option("INPUT", options->input, "points: .csv .node .xyz .txt")->required();
   command->add_option("MESH", options->mesh, "mesh: .json .msh .obj")->required();
   command->add_option("--report", options->report,
