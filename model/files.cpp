@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <array>
+#include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -20,11 +22,37 @@ namespace {
 
 std::string reason(int error) { return std::generic_category().message(error); }
 
+// Fixed memory, for a signal handler to read: the name is whole while the flag is set.
+std::array<char, 4096> unfinished_name{};
+std::atomic<bool> unfinished = false;
+std::atomic<bool> unfinished_taken = false;
+
+/// Names a file for remove_unfinished_file; where one is named already, that one stays.
+class UnfinishedFile {
+ public:
+  explicit UnfinishedFile(const std::string& name)
+      : ours_(name.size() < unfinished_name.size() && !unfinished_taken.exchange(true)) {
+    if (!ours_) return;
+    std::memcpy(unfinished_name.data(), name.c_str(), name.size() + 1);
+    unfinished = true;
+  }
+  UnfinishedFile(const UnfinishedFile&) = delete;
+  UnfinishedFile& operator=(const UnfinishedFile&) = delete;
+  ~UnfinishedFile() {
+    if (!ours_) return;
+    unfinished = false;
+    unfinished_taken = false;
+  }
+
+ private:
+  bool ours_;
+};
+
 /// Removes the file again unless it was renamed to its final place.
 class TemporaryFile {
  public:
   explicit TemporaryFile(const std::string& target)
-      : target_(target), name_(fmt::format("{}.{}.tmp", target, ::getpid())) {}
+      : target_(target), name_(fmt::format("{}.{}.tmp", target, ::getpid())), unfinished_(name_) {}
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
   ~TemporaryFile() {
@@ -42,6 +70,7 @@ class TemporaryFile {
  private:
   std::string target_;
   std::string name_;
+  UnfinishedFile unfinished_;  // forgotten after the file is gone
   bool kept_ = false;
 };
 
@@ -73,6 +102,10 @@ void write_file(const std::string& path, const std::function<void(std::ostream&)
   stream.close();
   if (!stream) throw OutputError(fmt::format("{}: cannot be written: {}", path, reason(errno)));
   temporary.keep();
+}
+
+void remove_unfinished_file() noexcept {
+  if (unfinished) ::unlink(unfinished_name.data());
 }
 
 }  // namespace quadbound

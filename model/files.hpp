@@ -31,4 +31,8 @@ class OutputError : public std::exception {
 /// Errors: OutputError naming the file.
 void write_file(const std::string& path, const std::function<void(std::ostream&)>& write);
 
+/// Removes the temporary file of a write_file that is under way, if any (of one of them, where
+/// threads write several at once). Does nothing that a signal handler must not do.
+void remove_unfinished_file() noexcept;
+
 }  // namespace quadbound
