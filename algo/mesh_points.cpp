@@ -37,9 +37,9 @@ std::string explain(const TreeBudgetExceeded& exceeded, const Point& where, cons
   switch (exceeded.kind) {
     case RefusalKind::kTooDeep:
       return fmt::format(
-          "two points {} are too close for the extent of the whole set: cells would be smaller "
-          "than "
-          "the 2^-60 of it that exact coordinates hold; merge the points or mesh them apart",
+          "two points {} are too close for the size of the coordinates: cells would be smaller "
+          "than the 2^-60 of the largest that exact coordinates hold; move the set to the origin, "
+          "merge the points or mesh them apart",
           place);
     case RefusalKind::kTooManyCells:
       return fmt::format(
