@@ -18,6 +18,7 @@ void add_mesh_command(CLI::App& app, Outcome& outcome);
 void add_verify_command(CLI::App& app, Outcome& outcome);
 void add_generate_command(CLI::App& app, Outcome& outcome);
 void add_prove_command(CLI::App& app, Outcome& outcome);
+void add_fuzz_command(CLI::App& app, Outcome& outcome);
 void add_reproduce_command(CLI::App& app, Outcome& outcome);
 
 }  // namespace quadbound::cli

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <exception>
 #include <new>
 #include <string>
@@ -23,7 +24,15 @@ Examples:
   quadbound generate uniform --n 1000 --seed 1 -o points.csv
   quadbound mesh --points points.csv -o mesh.json -o mesh.svg
   quadbound verify --points points.csv mesh.json
-  quadbound prove theorem-1)";
+  quadbound prove theorem-1
+  quadbound fuzz --points --count 1000)";
+
+/// Ctrl-C leaves no half-written file behind; then it ends the program as ever.
+extern "C" void interrupted(int number) {
+  quadbound::remove_unfinished_file();
+  std::signal(number, SIG_DFL);
+  std::raise(number);
+}
 
 int run(int argc, char** argv) {
   CLI::App app{"Quadrilateral meshes with proved angle bounds (Atalay, Ramaswami, Xu 2012).",
@@ -36,6 +45,7 @@ int run(int argc, char** argv) {
   add_verify_command(app, outcome);
   add_generate_command(app, outcome);
   add_prove_command(app, outcome);
+  add_fuzz_command(app, outcome);
   add_reproduce_command(app, outcome);
   try {
     app.parse(argc, argv);
@@ -51,6 +61,9 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  for (const int number : {SIGINT, SIGTERM, SIGHUP})
+    if (std::signal(number, interrupted) == SIG_IGN)
+      std::signal(number, SIG_IGN);  // as under nohup
   try {
     return run(argc, argv);
   } catch (const quadbound::InputError& error) {

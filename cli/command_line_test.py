@@ -1,0 +1,351 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Drives the program as its users do. Usage: command_line_test.py PATH_OF_QUADBOUND [unittest options]"""
+
+import json
+import os
+import pathlib
+import pty
+import re
+import shlex
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+PROGRAM = ""
+FORMATS = ("json", "vtu", "msh", "obj", "svg", "pdf", "png")
+# All coordinates of its mesh are doubles, and the paper's warping breaks it.
+RECIPE = "uniform:n=20,seed=1,bits=8"
+
+
+class CommandLineTest(unittest.TestCase):
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        self.folder = pathlib.Path(temporary.name)
+
+    def path(self, name):
+        return str(self.folder / name)
+
+    def file(self, name, text):
+        (self.folder / name).write_text(text)
+        return self.path(name)
+
+    def run_it(self, *arguments, status=0):
+        done = subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, cwd=self.folder)
+        done.stdout_text = done.stdout.decode()
+        done.stderr_text = done.stderr.decode()
+        self.assertEqual(done.returncode, status, (arguments, done.stderr_text))
+        return done
+
+    def one_line(self, *arguments, status=2):
+        """What the program says on standard error: one line."""
+        text = self.run_it(*arguments, status=status).stderr_text
+        self.assertRegex(text, r"\Aquadbound: [^\n]+\n\Z")
+        return text
+
+    def points(self, recipe=RECIPE, name="points.csv"):
+        self.run_it("generate", recipe, "-o", name)
+        return self.path(name)
+
+    def names(self):
+        return sorted(entry.name for entry in self.folder.iterdir())
+
+
+class Usage(CommandLineTest):
+    def commands(self):
+        text = self.run_it("--help").stdout_text
+        commands = re.findall(r"^  ([a-z]+) ", text.split("Subcommands:")[1], re.MULTILINE)
+        self.assertIn("fuzz", commands)
+        return [c for c in commands if c != "quadbound"]
+
+    def test_help_of_every_command_has_an_example(self):
+        self.assertIn("quadbound mesh --points", self.run_it("--help").stdout_text)
+        for command in self.commands():
+            text = self.run_it(command, "--help").stdout_text
+            self.assertRegex(text, rf"(?m)^Examples?:\n  quadbound {command}\b", command)
+
+    def test_version(self):
+        self.assertRegex(self.run_it("--version").stdout_text, r"^quadbound \d+\.\d+\.\d+\n$")
+
+    def test_unknown_options_and_commands_are_refused(self):
+        points = self.points()
+        self.one_line("no-such-command")
+        self.one_line("--no-such-option")
+        self.one_line()
+        for command in self.commands():
+            self.one_line(command, "--no-such-option")
+        self.assertIn("--bogus", self.one_line("mesh", "--points", points, "--bogus"))
+        self.one_line("mesh", points)  # a polygon, without --points
+        self.one_line("mesh", "--points", points, "--grid", "7x7")
+        self.one_line("mesh", "--points", points, "one-too-many")
+        self.one_line("fuzz", "--points", "--count", "minus-one")
+        self.one_line("fuzz", "--points", "--count", "1", "--seconds", "1")
+        self.assertIn("lattice-corners", self.one_line("fuzz", "--points", "--families", "nothing"))
+        self.assertIn("lattice-corners", self.one_line("generate", "nothing"))
+
+    def test_unknown_extensions_are_refused_before_the_work(self):
+        points = self.points()
+        self.assertIn(".foo", self.one_line("mesh", "--points", points, "-o", "a.json", "-o", "b.foo"))
+        self.assertEqual(self.names(), ["points.csv"])
+
+
+class BadInput(CommandLineTest):
+    FILES = (
+        ("empty.csv", "", ""),
+        ("header-only.csv", "x,y\n", ""),
+        ("duplicate.csv", "0,0\n1,1\n0,0\n", "vertex 0: vertex 2 "),
+        ("zeros.csv", "1,1\n0,0\n-0,0\n", "vertex 1: vertex 2 "),
+        ("nan.csv", "0,0\nnan,1\n", "vertex 1: "),
+        ("infinite.csv", "0,0\n1,inf\n", "vertex 1: "),
+        ("too-large.csv", "0,0\n1e999,1\n", "vertex 1: "),
+        ("too-small.csv", "0,0\n1e-305,1\n", "vertex 1: "),
+        ("missing-column.csv", "0,0\n1\n", "vertex 1: "),
+        ("text.csv", "0,0\n1,one\n", "vertex 1: "),
+        ("garbage.csv", "0,0\n1,1x\n", "vertex 1: "),
+        ("garbage.txt", "0 0\n1 1 # fine\n1 2 3\n", "vertex 2: "),
+        ("truncated.node", "3 2 0 0\n1 0 0\n2 1 1\n", ""),
+        ("cut-in-line.node", "3 2 0 0\n1 0 0\n2 1", "vertex 1: "),
+        ("trailing.node", "1 2 0 0\n1 0 0\n2 1 1\n", ""),
+        ("points.dat", "0,0\n", ""),
+    )
+
+    def test_input_validated_one_line_names_file_and_vertex(self):
+        for name, text, place in self.FILES:
+            with self.subTest(name):
+                path = self.file(name, text)
+                line = self.one_line("mesh", "--points", path, "-o", "mesh.json")
+                self.assertTrue(line.startswith(f"quadbound: {path}: {place}"), line)
+                self.assertFalse((self.folder / "mesh.json").exists())
+
+    def test_files_that_cannot_be_read(self):
+        (self.folder / "folder.csv").mkdir()
+        for name in ("nothing.csv", "folder.csv", "nowhere/points.csv"):
+            self.assertIn(name + ": ", self.one_line("mesh", "--points", name))
+
+    def test_verify_refuses_unreadable_points_and_meshes(self):
+        points = self.points()
+        self.run_it("mesh", "--points", points, "-o", "mesh.json")
+        self.assertIn("nothing.csv", self.one_line("verify", "--points", "nothing.csv", "mesh.json"))
+        self.assertIn("nothing.json", self.one_line("verify", "--points", points, "nothing.json"))
+        whole = (self.folder / "mesh.json").read_text()
+        for name, text in (("empty.json", ""), ("cut.json", whole[: len(whole) // 2]),
+                           ("not.json", "{}"), ("text.obj", "v 0 zero 0\n"), ("cut.msh", "$Nodes\n"),
+                           ("mesh.vtu", "<VTKFile/>")):
+            self.file(name, text)
+            self.assertIn(name, self.one_line("verify", "--points", points, name))
+
+
+class Budgets(CommandLineTest):
+    def test_the_line_names_the_option_to_raise(self):
+        points = self.points("uniform:n=3000,seed=1")
+        for option in (("--max-cells", 1000), ("--max-seconds", 1e-9)):
+            line = self.one_line("mesh", "--points", points, "-o", "mesh.json", *option, status=3)
+            self.assertIn(f"raise {option[0]}", line)
+        self.assertEqual(self.names(), ["points.csv"])
+
+    def test_points_too_close_for_exact_coordinates(self):
+        points = self.file("close.csv", "0,0\n1e-200,0\n1,1\n")
+        self.assertIn("too close", self.one_line("mesh", "--points", points, status=3))
+
+
+class Writing(CommandLineTest):
+    def test_max_angle_broken_by_the_papers_warping_writes_nothing(self):
+        points = self.points()
+        self.file("mesh.json", "as it was")
+        done = self.run_it("mesh", "--points", points, "--warp", "paper", "-o", "mesh.json", "-o",
+                           "mesh.svg", status=1)
+        self.assertRegex(done.stderr_text, "claim max-angle fails")
+        self.assertEqual((self.folder / "mesh.json").read_text(), "as it was")
+        self.assertEqual(self.names(), ["mesh.json", "points.csv"])
+
+    def test_no_place_to_write_leaves_nothing_behind(self):
+        points = self.points()
+        (self.folder / "folder.json").mkdir()
+        for target in ("nowhere/mesh.json", "folder.json", "points.csv/mesh.json", "/proc/mesh.json"):
+            for format_ in ("json", "svg", "png"):
+                target = target.replace("json", format_) if target != "folder.json" else target
+                line = self.one_line("mesh", "--points", points, "-o", target)
+                self.assertIn(target, line)
+        self.one_line("mesh", "--points", points, "--report", "nowhere/report.json")
+        self.one_line("generate", RECIPE, "-o", "nowhere/points.csv")
+        self.assertEqual(self.names(), ["folder.json", "points.csv"])
+
+    @unittest.skipIf(os.geteuid() == 0, "root may write everywhere")
+    def test_read_only_folder(self):
+        points = self.points()
+        (self.folder / "locked").mkdir(mode=0o555)
+        self.one_line("mesh", "--points", points, "-o", "locked/mesh.json")
+
+    def test_full_disk(self):
+        if not os.path.exists("/dev/full"):
+            self.skipTest("no /dev/full")
+        with open("/dev/full", "wb") as full:
+            done = subprocess.run([PROGRAM, "generate", "uniform:n=1000"], stdout=full,
+                                  stderr=subprocess.PIPE)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn(b"cannot be written", done.stderr)
+
+    def test_several_outputs_and_deterministic_bytes_of_every_format(self):
+        points = self.points()
+        runs = []
+        for run in ("first", "second"):
+            (self.folder / run).mkdir()
+            outputs = [argument for f in FORMATS for argument in ("-o", f"{run}/mesh.{f}")]
+            self.run_it("mesh", "--points", points, *outputs)
+            self.assertEqual(len(list((self.folder / run).iterdir())), len(FORMATS))
+            runs.append({f: (self.folder / run / f"mesh.{f}").read_bytes() for f in FORMATS})
+        for f in FORMATS:
+            self.assertTrue(runs[0][f])
+            self.assertEqual(runs[0][f], runs[1][f], f)
+
+    def test_standard_output(self):
+        points = pathlib.Path(self.points()).read_bytes()
+        self.assertEqual(self.run_it("generate", RECIPE, "-o", "-").stdout, points)
+        self.assertEqual(self.run_it("generate", RECIPE).stdout, points)
+        self.run_it("mesh", "--points", "points.csv", "-o", "mesh.json")
+        mesh = self.run_it("mesh", "--points", "points.csv", "-o", "-").stdout
+        self.assertEqual(mesh, (self.folder / "mesh.json").read_bytes())
+
+    def test_an_interrupt_while_writing_leaves_no_partial_file(self):
+        points = self.points("uniform:n=4000,seed=1")
+        interrupted = 0
+        for attempt in range(5):
+            outputs = [a for i in range(6) for a in ("-o", f"{attempt}-{i}.vtu")]
+            process = subprocess.Popen([PROGRAM, "mesh", "--points", points, "--no-verify", *outputs],
+                                       cwd=self.folder, stderr=subprocess.DEVNULL)
+            while process.poll() is None and not list(self.folder.glob("*.tmp")):
+                time.sleep(0.001)
+            process.send_signal(signal.SIGINT)
+            interrupted += process.wait() == -signal.SIGINT
+            self.assertEqual(list(self.folder.glob("*.tmp")), [])
+            for whole in self.folder.glob("*.vtu"):
+                self.assertTrue(whole.read_bytes().rstrip().endswith(b"</VTKFile>"))
+            if interrupted:
+                return
+        self.fail("never caught the program while it was writing")
+
+
+class Judging(CommandLineTest):
+    def meshed(self, recipe=RECIPE):
+        points = self.points(recipe)
+        self.run_it("mesh", "--points", points, "-o", "mesh.json", "-o", "mesh.obj", "-o", "mesh.msh")
+        return points
+
+    def verdicts(self, *arguments, status):
+        self.run_it("verify", "-q", *arguments, "--report", "report.json", status=status)
+        report = json.loads((self.folder / "report.json").read_text())
+        return {claim["id"]: claim["exact"] for claim in report["claims"]}
+
+    def test_thm_1_holds_for_our_file(self):
+        verdicts = self.verdicts("--points", self.meshed(), "mesh.json", status=0)
+        self.assertEqual(set(verdicts.values()), {"holds"})
+
+    def test_foreign_meshes_are_judged_but_for_the_cells_they_do_not_tell(self):
+        points = self.meshed()
+        for mesh in ("mesh.obj", "mesh.msh"):
+            verdicts = self.verdicts("--points", points, mesh, status=1)
+            self.assertEqual({id for id, verdict in verdicts.items() if verdict != "holds"},
+                             {"size-3N", "thm-1"}, mesh)
+            self.assertEqual(verdicts["size-3N"], "not-decided")
+
+    def test_a_moved_vertex_breaks_claims_by_name(self):
+        points = self.meshed()
+        mesh = json.loads((self.folder / "mesh.json").read_text())
+        first = (self.folder / "points.csv").read_text().split()[1].split(",")
+        as_numbers = [[self.number(x), self.number(y)] for x, y in mesh["vertices"]]
+        vertex = as_numbers.index([float(first[0]), float(first[1])])
+        mesh["vertices"][vertex][0] += "1" if "/" not in mesh["vertices"][vertex][0] else "7"
+        self.file("moved.json", json.dumps(mesh))
+        done = self.run_it("verify", "--points", points, "moved.json", status=1)
+        self.assertRegex(done.stdout_text, r"(?m)^points-kept +fails")
+        self.assertRegex(done.stdout_text, r"(?m)^thm-1 +fails")
+
+    @staticmethod
+    def number(text):
+        numerator, _, denominator = text.partition("/")
+        return int(numerator) / int(denominator or 1)
+
+    def test_deterministic_report_whatever_the_threads(self):
+        points = self.meshed("uniform:n=300,seed=2")
+        texts = []
+        for threads in (1, 2, 0):
+            report = f"report-{threads}.json"
+            self.run_it("mesh", "--points", points, "--threads", threads, "--report", report)
+            texts.append((self.folder / report).read_bytes())
+            again = self.run_it("verify", "-q", "--points", points, "mesh.json", "--threads", threads,
+                                "--report", "-").stdout
+            texts.append(again)
+        self.assertEqual(len(set(texts)), 1)
+
+    def test_thm_1_holds_for_small_and_extreme_sets(self):
+        sets = {
+            "one": "0.3,0.7\n", "origin": "0,0\n", "two": "0,0\n3,1\n",
+            "collinear": "0,0\n1,2\n2,4\n3,6\n", "horizontal": "0,5\n1,5\n7,5\n",
+            "offset": "1000000.25,1000000\n1000001,1000000.5\n1000000.3,1000000.7\n",
+            "tiny": "1e-300,2e-300\n3e-300,1e-300\n-2e-300,0\n",
+            "huge": "1e300,2e300\n3e300,1e300\n-2e300,0\n",
+        }
+        for name, text in sets.items():
+            with self.subTest(name):
+                points = self.file(f"{name}.csv", text)
+                self.run_it("mesh", "--points", points, "-o", f"{name}.json")
+                self.run_it("verify", "-q", "--points", points, f"{name}.json")
+
+
+class Progress(CommandLineTest):
+    LONG_WORK = ("fuzz", "--points", "-q", "--seconds", "3", "--families", "uniform")
+
+    def test_nothing_appears_where_standard_error_is_no_terminal(self):
+        self.assertEqual(self.run_it(*self.LONG_WORK).stderr, b"")
+
+    def test_a_line_appears_on_a_terminal_and_goes_away(self):
+        ours, theirs = pty.openpty()
+        process = subprocess.Popen([PROGRAM, *self.LONG_WORK], stderr=theirs, cwd=self.folder)
+        os.close(theirs)
+        text = b""
+        try:
+            while piece := os.read(ours, 4096):
+                text += piece
+        except OSError:  # how Linux ends a terminal
+            pass
+        os.close(ours)
+        self.assertEqual(process.wait(), 0)
+        self.assertIn(b"s left", text)
+        self.assertTrue(text.endswith(b"\r\x1b[K"))
+
+
+class Fuzz(CommandLineTest):
+    def test_deterministic_table_and_report_whatever_the_threads(self):
+        outputs = set()
+        for threads in (1, 2):
+            done = self.run_it("fuzz", "--points", "--count", 60, "--seed", 5, "--threads", threads,
+                               "--report", "report.json")
+            outputs.add((done.stdout, (self.folder / "report.json").read_bytes()))
+        self.assertEqual(len(outputs), 1)
+        self.assertFalse((self.folder / "findings").exists())
+
+    def test_max_angle_findings_of_the_papers_warping_can_be_replayed(self):
+        done = self.run_it("fuzz", "--points", "--count", 10, "--families", "lattice-corners,uniform",
+                           "--warp", "paper", "--findings", "found", status=1)
+        self.assertIn("quadbound: finding: ", done.stderr_text)
+        lines = (self.folder / "found/INDEX").read_text().splitlines()
+        self.assertTrue(lines)
+        for line in lines:
+            claim, origin, replay, _ = line.split("\t")
+            self.assertRegex(origin, r"^(lattice-corners|uniform):n=\d+,seed=")
+            program, *arguments = shlex.split(replay)
+            self.assertEqual(program, "quadbound")
+            self.assertIn(f"claim {claim} ", self.run_it(*arguments, status=1).stderr_text)
+
+    def test_a_campaign_that_never_reached_a_construction_fails_and_names_it(self):
+        done = self.run_it("fuzz", "--points", "-q", "--count", 100, "--max-n", 1, "--families",
+                           "grid", status=1)
+        self.assertRegex(done.stderr_text, r"(?m)^quadbound: .*stitching case .* was never reached")
+
+
+if __name__ == "__main__":
+    PROGRAM = os.path.abspath(sys.argv.pop(1))
+    unittest.main()
