@@ -18,6 +18,7 @@ constexpr double kTop = 84;
 constexpr double kBottom = 56;
 constexpr double kLowestN = 2;  // powers of ten
 constexpr double kHighestN = 5;
+constexpr double kApart = 6;       // of the families at the same n
 constexpr double kFirstStep = 20;  // of the axis of N / n
 
 // Distinct for colour-blind readers.
@@ -41,8 +42,8 @@ class Chart {
         "<rect width=\"{0}\" height=\"{1}\" fill=\"white\"/>\n",
         kWidth, kHeight);
     axes();
-    paper_line(80, "paper: about 80 n");
-    paper_line(20845.0 / 303.0, "paper: its lake, 68.8 n");
+    paper_line(80, "paper: about 80 n", 5);
+    paper_line(20845.0 / 303.0, "paper: its lake, 68.8 n", -15);
     marks();
     series(GridRefinement::kSixBySix, kSixColour);
     series(GridRefinement::kFiveByFive, kFiveColour);
@@ -88,10 +89,11 @@ class Chart {
         (kTop + kHeight - kBottom) / 2);
   }
 
-  void paper_line(double ratio, std::string_view words) {
+  /// `rise` keeps the words of neighbouring lines apart.
+  void paper_line(double ratio, std::string_view words, double rise) {
     line(kLeft, y(ratio), kWidth - kRight, y(ratio),
          fmt::format("stroke=\"{}\" stroke-dasharray=\"6 4\"", kPaperColour));
-    text(kWidth - kRight - 4, y(ratio) - 4, "end", words, kPaperColour);
+    text(kWidth - kRight - 4, y(ratio) - rise, "end", words, kPaperColour);
   }
 
   /// The mean of each size joined by a line, and the spread over the seeds as a bar.
@@ -112,13 +114,13 @@ class Chart {
 
   /// The other families beside each other around their n, and the real sets.
   void marks() {
-    double shift = -4 * 6;
+    double shift = -4 * kApart;
     for (const Group& g : r_.groups) {
       if (g.set == "uniform" || g.refinement != GridRefinement::kSixBySix) continue;
       const double at = x(static_cast<double>(g.points));
       if (g.runs.front().trial.seed) {
         family_mark(at + shift, g);
-        shift += 6;
+        shift += kApart;
       } else {
         real_mark(at, g.mean_ratio());
       }

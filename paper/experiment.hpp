@@ -15,10 +15,12 @@ namespace quadbound {
 
 /// What is meshed and how.
 struct Trial {
-  std::string set;                    ///< family of random points, or name of a real set
+  /// Family of random points, with a space and NAME=VALUE for a parameter; or a real set's name.
+  std::string set;
   std::optional<std::uint64_t> seed;  ///< empty for real sets
   GridRefinement refinement = GridRefinement::kSixBySix;
   Warping warping = Warping::kAligned;
+  TwoTwoVariant two_two = TwoTwoVariant::kExact;
 };
 
 struct Measurement {
@@ -29,6 +31,8 @@ struct Measurement {
   std::uint64_t quads = 0;
   Corner<Rational> smallest;  ///< extreme corners of the mesh
   Corner<Rational> largest;
+  Corner<Rational> smallest_at_points;  ///< of the quads that have an input point
+  Corner<Rational> largest_at_points;
   std::uint64_t corners_beyond = 0;  ///< outside thm-1's interval
   std::vector<std::string> broken;   ///< ids of the claims that do not hold; empty: thm-1 proved
 

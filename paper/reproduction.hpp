@@ -38,6 +38,8 @@ struct Group {
 struct Reproduction {
   std::optional<JudgedMesh> lake;  ///< Fig. 10; always there once measured
   PointSet lake_points;
+  /// The same points with the paper's own case 2,2 (Fig. 8a).
+  Measurement lake_with_their_case;
   std::vector<Group> groups;        ///< in the order of the tables
   std::vector<Measurement> warped;  ///< the paper's warping on random sets
   Theorem1Table theorem_1;

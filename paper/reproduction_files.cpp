@@ -30,12 +30,15 @@ Json json_of(const Measurement& m) {
   json["seed"] = m.trial.seed ? Json(*m.trial.seed) : Json(nullptr);
   json["grid"] = grid_name(m.trial.refinement);
   json["warping"] = m.trial.warping == Warping::kAligned ? "aligned" : "paper";
+  json["two_two"] = m.trial.two_two == TwoTwoVariant::kExact ? "exact" : "paper";
   json["n"] = m.points;
   json["cells"] = m.cells;
   json["vertices"] = m.vertices;
   json["quads"] = m.quads;
   json["smallest"] = json_of(m.smallest);
   json["largest"] = json_of(m.largest);
+  json["smallest_at_points"] = json_of(m.smallest_at_points);
+  json["largest_at_points"] = json_of(m.largest_at_points);
   json["proved"] = m.proved();
   if (!m.proved()) json["broken"] = m.broken;
   if (!m.proved()) json["corners_beyond"] = m.corners_beyond;
@@ -102,13 +105,13 @@ TextTable groups_table(const Reproduction& r) {
 
 TextTable warped_table(const Reproduction& r) {
   TextTable table{
-      {"seed", "n", "corners beyond", "smallest angle", "largest angle", "claims broken"}, {}};
+      {"seed", "n", "corners beyond", "smallest at a point", "largest", "claims broken"}, {}};
   for (const Measurement& m : r.warped) {
     std::string broken;
     for (const std::string& id : m.broken) broken += (broken.empty() ? "" : ", ") + id;
     table.rows.push_back({std::to_string(m.trial.seed.value()), std::to_string(m.points),
                           std::to_string(m.corners_beyond),
-                          fmt::format("{:.2f}", degrees(m.smallest)),
+                          fmt::format("{:.2f}", degrees(m.smallest_at_points)),
                           fmt::format("{:.2f}", degrees(m.largest)), broken});
   }
   return table;
@@ -135,7 +138,7 @@ void add_lake(Document& d, const Reproduction& r, const ReportPictures& pictures
       m.points, with_commas(m.cells), with_commas(m.vertices), with_commas(m.quads),
       angle_text(m.smallest), angle_text(m.largest), m.proved() ? "proved" : "NOT PROVED")});
   d.push_back(DocumentPicture{"fig-10-whole.png",
-                              "The mesh of the 303 points; the square is magnified below.",
+                              "The mesh of the 303 points; the red square is magnified below.",
                               pictures.whole});
   d.push_back(DocumentPicture{"fig-10-magnified.png",
                               "The square magnified; dots are input points.", pictures.magnified});
@@ -177,6 +180,7 @@ std::string reproduction_json(const Reproduction& r, const Provenance& provenanc
   json["claims"] = Json::array();
   for (const PaperClaim& claim : compare_with_paper(r)) json["claims"].push_back(json_of(claim));
   json["fig-10"] = json_of(r.lake->measurement);
+  json["fig-10-two-two-paper"] = json_of(r.lake_with_their_case);
   json["n-against-N"] = Json::array();
   for (const Group& g : r.groups)
     for (const Measurement& m : g.runs) json["n-against-N"].push_back(json_of(m));
