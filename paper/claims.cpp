@@ -117,11 +117,12 @@ class Comparison {
   }
 
   void warping() {
-    add("thm-1", "smallest angle at a point after the paper's warping (2.4.3)", "53.13",
-        worst_warped(false), Verdict::kDiffers, "wrong; 45 is approached at a cell's corner");
-    add("thm-1", "largest angle at a point after the paper's warping (2.4.3)",
-        "90 + arctan(1/3) = 108.53", worst_warped(true), Verdict::kDiffers,
-        "wrong, and breaks Theorem 1; 180 is reached at a cell's corner");
+    add("thm-1", "smallest angle of 2.4.3, at a point", "53.13", worst_warped(false),
+        Verdict::kDiffers,
+        "wrong for the paper's warping, measured on 5 sets; 45 is approached at a cell's corner");
+    add("thm-1", "largest angle of 2.4.3, at a point", "90 + arctan(1/3) = 108.53",
+        worst_warped(true), Verdict::kDiffers,
+        "wrong for the paper's warping, which breaks Theorem 1; 180 is reached at a cell's corner");
     add("thm-1", "quads moved by our warping", "-",
         fmt::format("{:.2f} to {:.2f}, for every position of the point",
                     degrees(r_.theorem_1.smallest(Of::kWarped)),

@@ -31,7 +31,8 @@ struct Measurement {
   std::uint64_t quads = 0;
   Corner<Rational> smallest;  ///< extreme corners of the mesh
   Corner<Rational> largest;
-  Corner<Rational> smallest_at_points;  ///< of the quads that have an input point
+  Corner<Rational>
+      smallest_at_points;  ///< with Warping::kPaper only: of the quads that have an input point
   Corner<Rational> largest_at_points;
   std::uint64_t corners_beyond = 0;  ///< outside thm-1's interval
   std::vector<std::string> broken;   ///< ids of the claims that do not hold; empty: thm-1 proved

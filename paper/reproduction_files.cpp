@@ -37,8 +37,10 @@ Json json_of(const Measurement& m) {
   json["quads"] = m.quads;
   json["smallest"] = json_of(m.smallest);
   json["largest"] = json_of(m.largest);
-  json["smallest_at_points"] = json_of(m.smallest_at_points);
-  json["largest_at_points"] = json_of(m.largest_at_points);
+  if (m.trial.warping == Warping::kPaper) {
+    json["smallest_at_points"] = json_of(m.smallest_at_points);
+    json["largest_at_points"] = json_of(m.largest_at_points);
+  }
   json["proved"] = m.proved();
   if (!m.proved()) json["broken"] = m.broken;
   if (!m.proved()) json["corners_beyond"] = m.corners_beyond;

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+// paper/departures.md: the inputs that break what the paper says, and that ours withstands them.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "model/read_points.hpp"
+#include "paper/experiment.hpp"
+#include "paper/theorem_1_table.hpp"
+
+namespace quadbound {
+namespace {
+
+using Ids = std::vector<std::string>;
+
+PointSet case_file(const std::string& name) {
+  return read_points(std::string(QUADBOUND_PAPER_CASES) + "/" + name);
+}
+
+Measurement with(const std::string& name, Warping warping, TwoTwoVariant two_two) {
+  Trial trial;
+  trial.set = name;
+  trial.warping = warping;
+  trial.two_two = two_two;
+  return run_trial(trial, case_file(name), 1).measurement;
+}
+
+Measurement ours(const std::string& name) {
+  return with(name, Warping::kAligned, TwoTwoVariant::kExact);
+}
+
+TEST(Departures, WarpingBreaksMaxAngleAlone) {
+  const Measurement paper = with("warp-two-points.csv", Warping::kPaper, TwoTwoVariant::kExact);
+  EXPECT_EQ(paper.broken, Ids{"max-angle"});
+  EXPECT_NEAR(degrees(paper.largest), 156.50, 0.01);
+  EXPECT_TRUE(ours("warp-two-points.csv").proved());
+}
+
+/// On the corner of its cell: the quad at the point has a straight angle.
+TEST(Departures, WarpingOfOnePointReaches180Degrees) {
+  const Measurement paper = with("warp-one-point.csv", Warping::kPaper, TwoTwoVariant::kExact);
+  EXPECT_FALSE(paper.proved());
+  EXPECT_EQ(paper.largest.cross, 0);
+  EXPECT_LT(paper.largest.dot, 0);
+  EXPECT_TRUE(ours("warp-one-point.csv").proved());
+}
+
+/// Fig. 8a moves a centre into the reach of warping: 180 - arctan(1/3) = 161.57 degrees.
+TEST(Departures, MovedCentreOfTwoTwoBreaksMaxAngleAlone) {
+  const Measurement paper =
+      with("two-two-two-points.csv", Warping::kAligned, TwoTwoVariant::kPaper);
+  EXPECT_EQ(paper.broken, Ids{"max-angle"});
+  EXPECT_EQ(3 * paper.largest.cross, -paper.largest.dot);
+  EXPECT_TRUE(ours("two-two-two-points.csv").proved());
+}
+
+/// Both departures on random sets: ours always holds, the paper's warping does not.
+TEST(Departures, RandomSetsHoldWithOurs) {
+  std::size_t broken = 0;
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    Trial trial;
+    trial.set = "uniform";
+    trial.seed = seed;
+    const PointSet points = points_of(trial, 60);
+    EXPECT_TRUE(run_trial(trial, points, 1).measurement.proved()) << seed;
+    trial.warping = Warping::kPaper;
+    broken += run_trial(trial, points, 1).measurement.proved() ? 0U : 1U;
+  }
+  EXPECT_EQ(broken, 5U);
+}
+
+}  // namespace
+}  // namespace quadbound
