@@ -143,26 +143,6 @@ class ContactFinder {
   Contacts found_;
 };
 
-/// The smallest vertex with another number of unpaired edges in or out than one.
-std::optional<VertexId> find_branching(const std::vector<DirectedEdge>& edges) {
-  std::vector<VertexId> from;
-  std::vector<VertexId> to;
-  for (const DirectedEdge& edge : edges) {
-    from.push_back(edge.from);
-    to.push_back(edge.to);
-  }
-  std::sort(to.begin(), to.end());
-  std::optional<VertexId> smallest;
-  const auto offer = [&](VertexId v) { smallest = smallest ? std::min(*smallest, v) : v; };
-  for (const auto* list : {&from, &to}) {
-    const auto twice = std::adjacent_find(list->begin(), list->end());
-    if (twice != list->end()) offer(*twice);
-  }
-  const auto [a, b] = std::mismatch(from.begin(), from.end(), to.begin(), to.end());
-  if (a != from.end()) offer(std::min(*a, *b));
-  return smallest;
-}
-
 template <class Wide, class PointAt>
 void add_triangles(const std::vector<VertexId>& loop, const PointAt& at, WideSum& sum) {
   for (std::size_t i = 1; i + 1 < loop.size(); ++i)
@@ -188,6 +168,25 @@ std::size_t Loops::outermost() const {
       loops.begin(), loops.end(),
       [](const Loop& a, const Loop& b) { return a.doubled_area < b.doubled_area; });
   return static_cast<std::size_t>(largest - loops.begin());
+}
+
+std::optional<VertexId> find_branching(const std::vector<DirectedEdge>& edges) {
+  std::vector<VertexId> from;
+  std::vector<VertexId> to;
+  for (const DirectedEdge& edge : edges) {
+    from.push_back(edge.from);
+    to.push_back(edge.to);
+  }
+  std::sort(to.begin(), to.end());
+  std::optional<VertexId> smallest;
+  const auto offer = [&](VertexId v) { smallest = smallest ? std::min(*smallest, v) : v; };
+  for (const auto* list : {&from, &to}) {
+    const auto twice = std::adjacent_find(list->begin(), list->end());
+    if (twice != list->end()) offer(*twice);
+  }
+  const auto [a, b] = std::mismatch(from.begin(), from.end(), to.begin(), to.end());
+  if (a != from.end()) offer(std::min(*a, *b));
+  return smallest;
 }
 
 Loops trace_loops(const ExactPlane& plane, const std::vector<DirectedEdge>& edges) {

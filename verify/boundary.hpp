@@ -25,6 +25,10 @@ struct Loops {
   [[nodiscard]] std::size_t outermost() const;
 };
 
+/// The smallest vertex with another number of unpaired edges in or out than one.
+/// Requires: edges different and ascending by `from`. Complexity: O(n log n).
+std::optional<VertexId> find_branching(const std::vector<DirectedEdge>& edges);
+
 /// Requires: edges different and ascending by `from`. Complexity: O(n log n).
 Loops trace_loops(const ExactPlane& plane, const std::vector<DirectedEdge>& edges);
 

@@ -72,15 +72,23 @@ class PointIndex {
     for (std::size_t i = 0; i < points.size(); ++i) insert(i, points[i], exponent, unit);
   }
 
-  void mark(LatticePoint point) {
-    if (!may_hold(point)) return;
+  /// The first input point at a place.
+  [[nodiscard]] std::optional<std::uint32_t> find(LatticePoint point) const {
+    if (!may_hold(point)) return std::nullopt;
     const std::uint32_t i = table_.find(point, [&](std::uint32_t k) { return lattice_[k]; });
-    if (i != LatticeTable::kNone) found_[i].store(true, std::memory_order_relaxed);
+    if (i == LatticeTable::kNone) return std::nullopt;
+    return i;
   }
-  void mark(const RationalPoint& point) {
+  [[nodiscard]] std::optional<std::uint32_t> find(const RationalPoint& point) const {
     const auto it = others_.find(point);
-    if (it != others_.end()) found_[it->second].store(true, std::memory_order_relaxed);
+    if (it == others_.end()) return std::nullopt;
+    return it->second;
   }
+  [[nodiscard]] std::optional<std::uint32_t> find(const ExactPlane& plane, VertexId v) const {
+    return plane.on_lattice(v) ? find(plane.lattice(v)) : find(plane.rational(v));
+  }
+
+  void mark(std::uint32_t point) { found_[point].store(true, std::memory_order_relaxed); }
 
   [[nodiscard]] LostPoints lost() const {
     LostPoints lost;
@@ -152,14 +160,30 @@ LostPoints find_lost_points(const ExactPlane& plane, int exponent, const Corners
     const std::size_t end = std::min(corners.vertices(), (chunk + 1) * kChunk);
     for (auto v = static_cast<VertexId>(chunk * kChunk); v < end; ++v) {
       if (!corners.is_used(v)) continue;
-      if (plane.on_lattice(v)) {
-        index.mark(plane.lattice(v));
-      } else {
-        index.mark(plane.rational(v));
-      }
+      if (const auto point = index.find(plane, v)) index.mark(*point);
     }
   });
   return index.lost();
+}
+
+std::vector<PlacedVertex> find_placed_vertices(const ExactPlane& plane, int exponent,
+                                               const CornersByVertex& corners,
+                                               const std::vector<Point>& points,
+                                               const Threads& threads) {
+  const PointIndex index(points, exponent);
+  using Part = std::vector<PlacedVertex>;
+  const auto parts =
+      for_chunks<Part>(threads, corners.vertices(), [&](std::size_t begin, std::size_t end) {
+        Part part;
+        for (auto v = static_cast<VertexId>(begin); v < end; ++v) {
+          if (!corners.is_used(v)) continue;
+          if (const auto point = index.find(plane, v)) part.push_back({v, *point});
+        }
+        return part;
+      });
+  Part all;
+  for (const Part& part : parts) all.insert(all.end(), part.begin(), part.end());
+  return all;
 }
 
 std::optional<VertexId> find_rounded(const StoredPlane& plane, const CornersByVertex& corners,

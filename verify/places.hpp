@@ -3,6 +3,7 @@
 // Who is where: vertices at one place, and input points that are no vertex.
 
 #include <optional>
+#include <vector>
 
 #include "verify/chunks.hpp"
 #include "verify/links.hpp"
@@ -30,6 +31,19 @@ struct LostPoints {
 /// Complexity: expected linear in points and vertices; about 25 bytes per point.
 LostPoints find_lost_points(const ExactPlane& plane, int exponent, const CornersByVertex& corners,
                             const std::vector<Point>& points, const Threads& threads);
+
+/// A used vertex that is where an input point is; the point by its index.
+struct PlacedVertex {
+  VertexId vertex;
+  std::uint32_t point;
+};
+
+/// All of them, ascending by vertex. Requires: points finite and all different.
+/// Complexity: that of find_lost_points.
+std::vector<PlacedVertex> find_placed_vertices(const ExactPlane& plane, int exponent,
+                                               const CornersByVertex& corners,
+                                               const std::vector<Point>& points,
+                                               const Threads& threads);
 
 /// The first used vertex whose position changes when it is rounded to doubles.
 std::optional<VertexId> find_rounded(const StoredPlane& plane, const CornersByVertex& corners,

@@ -53,6 +53,24 @@ Json json_of(const Claim& claim) {
   return json;
 }
 
+Json json_of(const PolygonFacts& facts) {
+  Json json{{"rings", facts.rings}};
+  if (facts.steiner)
+    json["steiner_points"] = {{"edges", facts.steiner->edges},
+                              {"fewest_on_an_edge", facts.steiner->fewest},
+                              {"most_on_an_edge", facts.steiner->most},
+                              {"mean_on_an_edge", to_text(facts.steiner->mean())},
+                              {"total", facts.steiner->total}};
+  json["split_input_corners"] = facts.split_corners;
+  json["whole_input_corners"] = {{"count", facts.whole_corners},
+                                 {"beyond_bounds", facts.whole_beyond_bounds}};
+  if (facts.smallest_whole) {
+    json["whole_input_corners"]["smallest"] = json_of(*facts.smallest_whole);
+    json["whole_input_corners"]["largest"] = json_of(*facts.largest_whole);
+  }
+  return json;
+}
+
 std::string text_of(const Place& place) {
   std::string text;
   if (place.quad) text += fmt::format(" quad {}", *place.quad);
@@ -76,6 +94,20 @@ std::string text_of(const Claim& claim) {
   }
   text.erase(text.find_last_not_of(' ') + 1);
   return text;
+}
+
+std::string text_of(const PolygonFacts& facts) {
+  std::string text = fmt::format("{} rings", facts.rings);
+  if (facts.steiner)
+    text += fmt::format("; Steiner points on each of {} edges: {} to {}, mean {:.4f}, total {}",
+                        facts.steiner->edges, facts.steiner->fewest, facts.steiner->most,
+                        nearest_double(facts.steiner->mean()), facts.steiner->total);
+  text += fmt::format("\n{} input angles are whole, {} of them beyond the bounds",
+                      facts.whole_corners, facts.whole_beyond_bounds);
+  if (facts.smallest_whole)
+    text += fmt::format("; from {:.4f} to {:.4f} degrees, never judged",
+                        facts.smallest_whole->degrees(), facts.largest_whole->degrees());
+  return text + "\n";
 }
 
 }  // namespace
@@ -119,6 +151,7 @@ std::string to_json(const Report& report) {
   json["corners_decided_by"] = {{"filter", report.decisions.filter},
                                 {"lattice", report.decisions.lattice},
                                 {"rational", report.decisions.rational}};
+  if (report.polygon) json["polygon"] = json_of(*report.polygon);
   json["claims"] = Json::array();
   for (const Claim& claim : report.claims) json["claims"].push_back(json_of(claim));
   return json.dump(1) + "\n";
@@ -127,6 +160,7 @@ std::string to_json(const Report& report) {
 std::string to_text(const Report& report) {
   std::string text;
   for (const Claim& claim : report.claims) text += text_of(claim) + "\n";
+  if (report.polygon) text += text_of(*report.polygon);
   return text;
 }
 

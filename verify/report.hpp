@@ -62,6 +62,29 @@ struct Claim {
   std::vector<std::pair<std::string, Rational>> values;  ///< named exact numbers
 };
 
+/// What is said of a polygon besides the claims.
+struct PolygonFacts {
+  std::uint64_t rings = 0;
+
+  /// Steiner points on the edges of the polygon; only where boundary-kept holds.
+  struct Steiner {
+    std::uint64_t edges = 0;
+    std::uint64_t fewest = 0;  ///< on one edge
+    std::uint64_t most = 0;    ///< on one edge
+    std::uint64_t total = 0;
+    [[nodiscard]] Rational mean() const { return Rational(total) / Rational(edges); }
+  };
+  std::optional<Steiner> steiner;
+
+  /// Corners of quads that share an input angle; the bounds judge them.
+  std::uint64_t split_corners = 0;
+  /// Corners of quads that are a whole input angle; they are listed here and judged by no bound.
+  std::uint64_t whole_corners = 0;
+  std::uint64_t whole_beyond_bounds = 0;
+  std::optional<JudgedCorner> smallest_whole;  ///< of equal ones the first by quad and corner
+  std::optional<JudgedCorner> largest_whole;
+};
+
 struct Report {
   std::string theorem;  ///< the claim that is the conjunction of all others; last in `claims`
   std::vector<Claim> claims;
@@ -73,8 +96,8 @@ struct Report {
   std::uint64_t edges = 0;
   std::uint64_t boundary_edges = 0;
   std::uint64_t boundary_loops = 0;
-  std::uint64_t cells = 0;  ///< 0 where unknown
-  std::uint64_t input_points = 0;
+  std::uint64_t cells = 0;         ///< 0 where unknown
+  std::uint64_t input_points = 0;  ///< vertices of the polygon where one is meshed
   bool every_vertex_is_a_double = false;
 
   /// How the corners were decided on exact coordinates.
@@ -83,6 +106,8 @@ struct Report {
     std::uint64_t lattice = 0;   ///< 128-bit integers
     std::uint64_t rational = 0;  ///< at least one vertex of the quad is off the lattice
   } decisions;
+
+  std::optional<PolygonFacts> polygon;  ///< thm-13 only
 
   /// nullptr where there is no such claim.
   [[nodiscard]] const Claim* find(std::string_view id) const;

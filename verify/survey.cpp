@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "verify/survey.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <type_traits>
@@ -173,8 +174,9 @@ class Threshold {
 template <class Plane>
 class Surveyor {
  public:
-  Surveyor(const Plane& plane, const std::vector<Quad>& quads, const AngleInterval& interval)
-      : plane_(plane), quads_(quads), interval_(interval) {
+  Surveyor(const Plane& plane, const std::vector<Quad>& quads, const AngleInterval& interval,
+           std::span<const CornerId> exempt)
+      : plane_(plane), quads_(quads), interval_(interval), exempt_(exempt) {
     update_filter();
   }
 
@@ -287,6 +289,11 @@ class Surveyor {
     if (!(corner.cross > 0)) {
       if (survey_.not_convex++ == 0) survey_.first_not_convex = id;
     }
+    if (!std::binary_search(exempt_.begin(), exempt_.end(), id)) judge_bounds(id, corner);
+  }
+
+  template <class Number>
+  void judge_bounds(CornerId id, const Corner<Number>& corner) {
     if (is_below(corner, interval_.smallest)) {
       ++survey_.smallest.broken;
       check_slack(id, corner, interval_.smallest, survey_.smallest);
@@ -348,6 +355,7 @@ class Surveyor {
   const Plane& plane_;
   const std::vector<Quad>& quads_;
   AngleInterval interval_;
+  std::span<const CornerId> exempt_;
   Survey survey_;
   Threshold low_exact_;
   Threshold high_exact_;
@@ -403,11 +411,11 @@ CornerScale corner_scale(const Plane& plane, const Quad& quad, int corner) {
 
 template <class Plane>
 Survey survey_quads(const Plane& plane, const std::vector<Quad>& quads,
-                    const AngleInterval& interval, const Threads& threads,
-                    std::vector<std::uint8_t>& passes) {
+                    const AngleInterval& interval, std::span<const CornerId> exempt,
+                    const Threads& threads, std::vector<std::uint8_t>& passes) {
   passes.resize(quads.size());
   auto parts = for_chunks<Survey>(threads, quads.size(), [&](std::size_t begin, std::size_t end) {
-    return Surveyor<Plane>(plane, quads, interval).survey(begin, end, passes);
+    return Surveyor<Plane>(plane, quads, interval, exempt).survey(begin, end, passes);
   });
   Survey total;
   for (Survey& part : parts) merge(total, part);
@@ -415,11 +423,11 @@ Survey survey_quads(const Plane& plane, const std::vector<Quad>& quads,
 }
 
 template Survey survey_quads<ExactPlane>(const ExactPlane&, const std::vector<Quad>&,
-                                         const AngleInterval&, const Threads&,
-                                         std::vector<std::uint8_t>&);
+                                         const AngleInterval&, std::span<const CornerId>,
+                                         const Threads&, std::vector<std::uint8_t>&);
 template Survey survey_quads<StoredPlane>(const StoredPlane&, const std::vector<Quad>&,
-                                          const AngleInterval&, const Threads&,
-                                          std::vector<std::uint8_t>&);
+                                          const AngleInterval&, std::span<const CornerId>,
+                                          const Threads&, std::vector<std::uint8_t>&);
 template CornerScale corner_scale<StoredPlane>(const StoredPlane&, const Quad&, int);
 
 }  // namespace quadbound::judge

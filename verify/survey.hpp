@@ -4,6 +4,7 @@
 // vertex pass the direction of the x axis. All lengths are in units of the mesh's lattice.
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "model/angle.hpp"
@@ -19,6 +20,7 @@ struct CornerId {
   std::uint64_t quad;
   int corner;
   friend bool operator==(const CornerId&, const CornerId&) = default;
+  friend auto operator<=>(const CornerId&, const CornerId&) = default;
 };
 
 /// Angles in [0, 360) in the order of their size: 0, (0, 180), 180, (180, 360).
@@ -88,19 +90,20 @@ CornerScale corner_scale(const Plane& plane, const Quad& quad, int corner);
 /// Guarantees: 1. the result does not depend on the number of threads. 2. of equal extremes, that
 /// of the smallest quad and corner number. 3. bit i of passes[q] is set exactly when the corner i
 /// of a strictly convex quad q spans the direction of the positive x axis, its first edge excluded
-/// and its last edge included. Requires: well-formed quads; every position of the plane finite;
-/// bounds with parts up to 7.
+/// and its last edge included. 4. The bounds leave the exempt corners out; strictly-convex does
+/// not. Requires: well-formed quads; every position of the plane finite; bounds with parts up to 7;
+/// exempt corners ascend.
 template <class Plane>
 Survey survey_quads(const Plane& plane, const std::vector<Quad>& quads,
-                    const AngleInterval& interval, const Threads& threads,
-                    std::vector<std::uint8_t>& passes);
+                    const AngleInterval& interval, std::span<const CornerId> exempt,
+                    const Threads& threads, std::vector<std::uint8_t>& passes);
 
 extern template Survey survey_quads<ExactPlane>(const ExactPlane&, const std::vector<Quad>&,
-                                                const AngleInterval&, const Threads&,
-                                                std::vector<std::uint8_t>&);
+                                                const AngleInterval&, std::span<const CornerId>,
+                                                const Threads&, std::vector<std::uint8_t>&);
 extern template Survey survey_quads<StoredPlane>(const StoredPlane&, const std::vector<Quad>&,
-                                                 const AngleInterval&, const Threads&,
-                                                 std::vector<std::uint8_t>&);
+                                                 const AngleInterval&, std::span<const CornerId>,
+                                                 const Threads&, std::vector<std::uint8_t>&);
 extern template CornerScale corner_scale<StoredPlane>(const StoredPlane&, const Quad&, int);
 
 }  // namespace quadbound::judge

@@ -11,11 +11,12 @@
 
 namespace quadbound::test {
 
-/// A mesh and the points it was made for.
+/// A mesh and what it was made for.
 struct Case {
   std::string name;
   Mesh mesh;
   PointSet points;
+  Polygon polygon;  ///< empty unless made by one of test_polygons.hpp
 };
 
 using Positions = std::vector<RationalPoint>;

@@ -2,6 +2,8 @@
 #pragma once
 // The judge: says of anyone's mesh, claim by claim, whether it is what the theorem promises.
 
+#include <optional>
+
 #include "model/angle.hpp"
 #include "model/mesh.hpp"
 #include "model/polygon.hpp"
@@ -10,9 +12,9 @@
 namespace quadbound {
 
 struct VerifyOptions {
-  AngleInterval angles = kTheorem1;
-  std::uint64_t quads_per_cell = 3;
-  unsigned threads = 1;  ///< 0: as many as there are cores
+  std::optional<AngleInterval> angles;          ///< empty: those of the theorem
+  std::optional<std::uint64_t> quads_per_cell;  ///< empty: that of the theorem
+  unsigned threads = 1;                         ///< 0: as many as there are cores
   /// Compare the positions of vertices even where the tiling proof has shown them to differ.
   bool always_compare_positions = false;
 };
@@ -36,10 +38,12 @@ struct VerifyOptions {
 /// 9. area: the signed areas of the quads add up to the area within the outermost boundary loop.
 ///    Not decided where the unpaired edges are no union of disjoint closed loops.
 /// 10. points-kept: every input point is the place of a vertex of a quad.
-/// 11. min-angle, max-angle: all corners are within options.angles. Angles are taken in [0, 360)
+/// 11. min-angle, max-angle: all corners are within options.angles (kTheorem1). Angles are taken in
+/// [0, 360)
 ///    degrees, so that a reflex corner breaks max-angle only. Both come with the extreme corner; of
 ///    equal ones it is that of the smallest quad and corner number.
-/// 12. size-3N: at most options.quads_per_cell quads per cell. Not decided where mesh.cells is 0.
+/// 12. size-3N: at most options.quads_per_cell (3) quads per cell. Not decided where mesh.cells is
+/// 0.
 /// 13. strictly-convex, min-angle and max-angle are judged a second time with the coordinates
 ///    rounded to doubles. A bound is broken within_rounding where no corner is beyond it by more
 ///    than 4 sqrt(2) 2^-53 M / l radians: M the largest coordinate at the corner, l its shorter
@@ -49,5 +53,27 @@ struct VerifyOptions {
 /// Complexity: time linear in vertices and quads while quads are sound and nearly all vertices are
 /// on the lattice; about 25 bytes per quad beyond the mesh.
 Report verify_points(const PointSet& points, const Mesh& mesh, const VerifyOptions& options = {});
+
+/// Judges a mesh of a polygon with holes: thm-13 and all the claims it consists of.
+///
+/// Guarantees: 1 to 5, 7, 13 and 14 as for points, and:
+/// 15. boundary-kept: the unpaired edges are exactly the rings, subdivided, each ring once and in
+///    its direction: every vertex of the polygon is a boundary vertex, and every other boundary
+///    vertex lies exactly on its edge, after the one before it. A failure names ring, edge and
+///    vertex.
+/// 16. With boundary-kept, no-overlap holds by the same proof (verify/tiling.md).
+/// 17. euler: vertices - edges + quads = 2 - rings.
+/// 18. area: the signed areas of the quads add up to the area of the polygon.
+/// 19. min-angle, max-angle: as for points with kTheorem13, for all corners but the whole input
+///    angles. A whole input angle is the corner of a quad at the place of a vertex of the polygon
+///    where the mesh vertex has no other corner; those are counted and listed in report.polygon,
+///    and judged by strictly-convex only. Where no other corner is left, both claims hold.
+/// 20. size-5N: at most options.quads_per_cell (5) quads per cell. Not decided where mesh.cells is
+///    0.
+/// 21. report.polygon has the Steiner points per edge where boundary-kept holds.
+/// Requires: fewer than 2^30 quads; a polygon that is valid and normalised (model/validate.hpp).
+/// Errors: std::length_error for the former.
+/// Complexity: as for points, and O(b log b) for b boundary edges and input vertices.
+Report verify_polygon(const Polygon& polygon, const Mesh& mesh, const VerifyOptions& options = {});
 
 }  // namespace quadbound
