@@ -24,6 +24,12 @@
 namespace quadbound {
 namespace {
 
+#if defined(__clang__)
+constexpr const char* kCompiler = __VERSION__;  // names itself
+#else
+constexpr const char* kCompiler = "GCC " __VERSION__;
+#endif
+
 bool all_right = true;
 
 // ---- The point sets and their proved meshes
@@ -265,7 +271,7 @@ int main(int argc, char** argv) {
   const bool large = quadbound::wants_large(argc, argv);
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
-  benchmark::AddCustomContext("compiler", __VERSION__);
+  benchmark::AddCustomContext("compiler", quadbound::kCompiler);
   quadbound::add_all(large);
   // A filter that matches nothing would time nothing for ever.
   if (benchmark::RunSpecifiedBenchmarks() == 0) return 2;

@@ -71,11 +71,11 @@ def summary(entries):
     return result
 
 
-def record(run, command):
+def record(run, command, of_commit):
     context = run["context"]
-    return {**SCHEMA, "commit": commit(), "date": context["date"], "command": command,
+    return {**SCHEMA, "commit": of_commit or commit(), "date": context["date"], "command": command,
             "machine": {"cpu": cpu_model(), "cores": os.cpu_count(),
-                        "compiler": f"GCC or Clang {context['compiler']}",
+                        "compiler": context["compiler"],
                         "system": platform.system(), "load_average": context["load_avg"]},
             "benchmarks": {name: summary(entries) for name, entries in repetitions(run).items()}}
 
@@ -103,7 +103,7 @@ def table(made):
         return entry["ns_per_quad"]["median"] if entry else None
 
     lines = ["| points | n | quads | " + " | ".join(STAGES) + " | quads/s | bytes per quad |",
-             "| --- | " + "---: | " * (len(STAGES) + 4)]
+             "| --- |" + " ---: |" * (len(STAGES) + 4)]
     for family, n in cases(benchmarks):
         whole = benchmarks.get(f"whole/{family}/{n}")
         if not whole:
@@ -117,14 +117,16 @@ def table(made):
 
 
 def exponents(benchmarks):
+    """Over all uniform sets, and over those of a thousand points or more, beyond the caches."""
     lines = []
     for stage in STAGES:
-        points = [(entry["counters"]["quads"],
-                   entry["counters"]["quads"] * entry["ns_per_quad"]["median"])
-                  for name, entry in benchmarks.items() if name.startswith(f"{stage}/uniform/")]
-        if len(points) > 2:
-            lines.append(f"- {stage}: time ~ quads^{exponent(points):.3f} "
-                         f"from {points[0][0]:,} to {points[-1][0]:,} quads")
+        sizes = [(int(name.split("/")[2]), entry["counters"]["quads"], entry["ns_per_quad"]["median"])
+                 for name, entry in benchmarks.items() if name.startswith(f"{stage}/uniform/")]
+        fits = [f"quads^{exponent(points):.3f} from {points[0][0]:,} quads on"
+                for points in ([(q, q * t) for n, q, t in sizes if n >= least] for least in (1, 1000))
+                if len(points) > 2]
+        if fits:
+            lines.append(f"- {stage}: time ~ " + ", ".join(fits))
     return lines
 
 
@@ -134,8 +136,9 @@ def main():
     parser.add_argument("-o", "--output", type=pathlib.Path, required=True)
     parser.add_argument("--table", type=pathlib.Path)
     parser.add_argument("--command", default="")
+    parser.add_argument("--commit", help="what was built; the present one if left out")
     options = parser.parse_args()
-    made = record(json.loads(options.run.read_text()), options.command)
+    made = record(json.loads(options.run.read_text()), options.command, options.commit)
     options.output.parent.mkdir(parents=True, exist_ok=True)
     options.output.write_text(json.dumps(made, indent=1) + "\n")
     if options.table:
