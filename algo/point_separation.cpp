@@ -34,7 +34,8 @@ int largest_separated_side_bits(UInt128 square) {
 class Separation {
  public:
   Separation(const PlacedPoints& placed, const Budget& budget)
-      : tree_(placed.root, placed.floors, budget.max_cells), deadline_(budget.max_seconds) {
+      : tree_(placed.root, placed.floors, std::min(budget.max_cells, kMostCells)),
+        deadline_(budget.max_seconds) {
     const std::vector<UInt128> squares = nearest_neighbour_squares(placed.floors, placed.rounded);
     separated_side_bits_.reserve(squares.size());
     for (const UInt128 square : squares)

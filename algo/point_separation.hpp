@@ -20,8 +20,12 @@ enum class GridRefinement : std::uint8_t {
   kFiveByFive,  ///< "a possible smaller-sized quadtree": ask for the 5x5 grid itself
 };
 
+/// Vertex numbers have 31 bits, and a leaf has three vertices of its own at most (centre, outer and
+/// inner extra, or centre and two extras of the case 2,2): 2^29 leaves always fit.
+inline constexpr std::uint64_t kMostCells = std::uint64_t{1} << 29;
+
 struct Budget {
-  std::uint64_t max_cells = 2'000'000'000;
+  std::uint64_t max_cells = kMostCells;  ///< no effect beyond kMostCells
   double max_seconds = 3600;
 };
 

@@ -144,6 +144,7 @@ void add_construction_options(CLI::App& command, PointMeshOptions& options) {
       ->transform(CLI::CheckedTransformer(kWarpings))
       ->option_text("aligned|paper (default aligned)");
   command.add_option("--max-cells", options.budget.max_cells, "stop beyond so many quadtree cells")
+      ->check(CLI::Range(std::uint64_t{1}, kMostCells))
       ->capture_default_str();
   command
       .add_option("--max-seconds", options.budget.max_seconds,

@@ -39,7 +39,7 @@ int run(int argc, char** argv) {
                "quadbound"};
   app.footer(kFooter);
   app.set_version_flag("--version", "quadbound " QUADBOUND_VERSION);
-  app.require_subcommand(1);
+  app.require_subcommand(0, 1);  // none at all is told below; a word that is no command is named
   Outcome outcome;
   add_mesh_command(app, outcome);
   add_verify_command(app, outcome);
@@ -49,6 +49,7 @@ int run(int argc, char** argv) {
   add_reproduce_command(app, outcome);
   try {
     app.parse(argc, argv);
+    if (app.get_subcommands().empty()) throw CLI::RequiredError("A command");
   } catch (const CLI::Success& success) {  // --help, --version
     return app.exit(success);
   } catch (const CLI::ParseError& error) {
