@@ -19,7 +19,8 @@ constexpr double kBottom = 56;
 constexpr double kLowestN = 2;  // powers of ten
 constexpr double kHighestN = 5;
 constexpr double kApart = 6;       // of the families at the same n
-constexpr double kFirstStep = 20;  // of the axis of N / n
+constexpr double kStep = 20;       // of the axis of N / n
+constexpr double kTopRatio = 120;  // what is above is drawn at the top, with its value
 
 // Distinct for colour-blind readers.
 constexpr std::string_view kSixColour = "#0b5fa5";
@@ -30,10 +31,7 @@ constexpr std::string_view kPaperColour = "#222222";
 
 class Chart {
  public:
-  explicit Chart(const Reproduction& reproduction) : r_(reproduction) {
-    for (const Group& g : r_.groups) top_ = std::max(top_, g.largest_ratio());
-    top_ = kFirstStep * std::ceil(top_ / kFirstStep + 0.01);
-  }
+  explicit Chart(const Reproduction& reproduction) : r_(reproduction) {}
 
   std::string draw() {
     out_ = fmt::format(
@@ -43,7 +41,7 @@ class Chart {
         kWidth, kHeight);
     axes();
     paper_line(80, "paper: about 80 n", 5);
-    paper_line(20845.0 / 303.0, "paper: its lake, 68.8 n", -15);
+    paper_line(20845.0 / 303.0, "paper: its lake, 68.8 n", 5);
     marks();
     series(GridRefinement::kSixBySix, kSixColour);
     series(GridRefinement::kFiveByFive, kFiveColour);
@@ -56,8 +54,8 @@ class Chart {
     const double share = (std::log10(n) - kLowestN) / (kHighestN - kLowestN);
     return kLeft + 14 + share * (kWidth - kLeft - kRight - 28);
   }
-  [[nodiscard]] double y(double ratio) const {
-    return kHeight - kBottom - ratio / top_ * (kHeight - kTop - kBottom);
+  [[nodiscard]] static double y(double ratio) {
+    return kHeight - kBottom - std::min(ratio, kTopRatio) / kTopRatio * (kHeight - kTop - kBottom);
   }
 
   void text(double at_x, double at_y, std::string_view anchor, std::string_view words,
@@ -72,8 +70,7 @@ class Chart {
   }
 
   void axes() {
-    const double step = top_ > 8 * kFirstStep ? 2 * kFirstStep : kFirstStep;
-    for (double ratio = 0; ratio <= top_; ratio += step) {
+    for (double ratio = 0; ratio <= kTopRatio; ratio += kStep) {
       line(kLeft, y(ratio), kWidth - kRight, y(ratio), "stroke=\"#e4e4e4\"");
       text(kLeft - 8, y(ratio) + 4, "end", fmt::format("{}", ratio));
     }
@@ -128,6 +125,9 @@ class Chart {
   }
 
   void family_mark(double at, const Group& g) {
+    if (g.mean_ratio() > kTopRatio)
+      text(at + 6, y(kTopRatio) + 16, "start",
+           fmt::format("{:.0f} ({}) \u2191", g.mean_ratio(), g.set), kFamilyColour);
     line(at, y(g.smallest_ratio()), at, y(g.largest_ratio()),
          fmt::format("stroke=\"{}\" stroke-width=\"2\"", kFamilyColour));
     out_ += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"2.5\" fill=\"{}\"/>\n", at,
@@ -157,7 +157,6 @@ class Chart {
   }
 
   const Reproduction& r_;
-  double top_ = 90;  ///< of the axis of N / n
   std::string out_;
 };
 

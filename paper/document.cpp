@@ -129,6 +129,8 @@ h1 {{ font-size: 1.5rem; }} h2 {{ font-size: 1.2rem; margin-top: 2rem; }} h3 {{ 
 table {{ border-collapse: collapse; font-size: 0.85rem; }}
 th, td {{ border: 1px solid #ccc; padding: 0.25rem 0.5rem; text-align: left; vertical-align: top; }}
 th {{ background: #f2f2f2; }}
+td:first-child {{ white-space: nowrap; }} td {{ min-width: 4rem; }}
+td:nth-child(5):last-child {{ min-width: 16rem; }}
 figure {{ margin: 1rem 0; }} figure img, figure svg {{ width: 100%; height: auto; }}
 figcaption {{ font-size: 0.85rem; color: #555; }}
 pre {{ overflow-x: auto; background: #f6f6f6; padding: 0.5rem; font-size: 0.85rem; }}

@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-double rounded(double value, double unit) { return std::round(value / unit) * unit; }
+double two_digits(double value) { return std::round(value * 100) / 100; }
 /// Four digits behind the point, so that no last bit of a library reaches the file.
 double four_digits(double value) { return std::round(value * 1e4) / 1e4; }
 
@@ -216,10 +216,10 @@ std::string machine_json(const Reproduction& r) {
             {"steps", Json::array()}};
   double total = 0;
   for (const StepTime& time : r.times) {
-    json["steps"].push_back({{"step", time.step}, {"seconds", rounded(time.seconds, 0.01)}});
+    json["steps"].push_back({{"step", time.step}, {"seconds", two_digits(time.seconds)}});
     total += time.seconds;
   }
-  json["seconds"] = rounded(total, 0.01);
+  json["seconds"] = two_digits(total);
   return json.dump(1) + "\n";
 }
 
