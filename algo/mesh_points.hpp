@@ -45,7 +45,7 @@ using PointMeshResult = std::variant<PointMesh, Refusal>;
 /// is in [arctan(1/2), 180 - arctan(1/2)] degrees. 3. at most 3 N quads, N = mesh.cells. 4. the
 /// same input gives the same mesh on every machine; so does any order of the points, up to
 /// vertex_of_point. 5. no budget exceeded, or a Refusal that says which.
-/// Requires: validate(points) passes. Complexity: O(n log n + N); some 110 bytes per quad.
+/// Requires: validate(points) passes. Complexity: O(n log n + N); some 57 bytes per quad.
 PointMeshResult mesh_points(const PointSet& points, const PointMeshOptions& options = {});
 
 }  // namespace quadbound

@@ -56,7 +56,7 @@ class TemplateTree {
   [[nodiscard]] bool has_outer_extra(const CellRef& leaf) const { return !is_t4(leaf.parent); }
 
   [[nodiscard]] ExtraFate fate(NodeId node, Quadrant q) const {
-    return static_cast<ExtraFate>((fates_[node] >> (2 * q)) & 3U);
+    return static_cast<ExtraFate>((unsigned{fates_[node]} >> (2U * q)) & 3U);
   }
   void set_fate(NodeId node, Quadrant q, ExtraFate fate);
   void set_centre(NodeId node, Quadrant q, VertexId vertex) {
