@@ -55,6 +55,16 @@ TEST(Departures, MovedCentreOfTwoTwoBreaksMaxAngleAlone) {
   EXPECT_TRUE(ours("two-two-two-points.csv").proved());
 }
 
+/// The outer extras at the root's corners are left out.
+TEST(Departures, NoVertexWithoutAQuad) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    Trial trial;
+    trial.set = "uniform";
+    trial.seed = seed;
+    EXPECT_EQ(run_trial(trial, points_of(trial, 20), 1).report.unused_vertices, 0U) << seed;
+  }
+}
+
 /// Both departures on random sets: ours always holds, the paper's warping does not.
 TEST(Departures, RandomSetsHoldWithOurs) {
   std::size_t broken = 0;

@@ -61,7 +61,7 @@ struct MeasureOptions {
 
 /// Guarantees: 1. all but `times` depends on the options alone, and not on the threads.
 /// Errors: InputError where superior-303.csv is missing or a file is not a point set.
-/// Complexity: some 90 s on one core at max_n = 100,000, growing linearly; 2 GB.
+/// Complexity: some 40 s on one core at max_n = 100,000, growing linearly; 0.5 GB.
 Reproduction measure(const MeasureOptions& options, Watcher& watcher);
 
 }  // namespace quadbound

@@ -229,7 +229,7 @@ Document reproduction_report(const Reproduction& r, const Provenance& provenance
   d.push_back(Heading{1, "Section 2 of the paper, reproduced"});
   d.push_back(Paragraph{
       "Atalay, Ramaswami, Xu: Quadrilateral meshes with provable angle bounds. Engineering with "
-      "Computers 28 (2012). Made by"});
+      "Computers (2012). Made by"});
   d.push_back(CodeBlock{provenance.command});
   d.push_back(Paragraph{fmt::format(
       "at commit {}. Times and the machine: `machine.json`; all numbers: `reproduction.json`. {}",
