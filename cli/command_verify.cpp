@@ -9,6 +9,7 @@
 #include "model/files.hpp"
 #include "model/read_mesh.hpp"
 #include "model/read_points.hpp"
+#include "model/read_polygon.hpp"
 #include "model/validate.hpp"
 #include "verify/verify.hpp"
 
@@ -24,19 +25,30 @@ struct VerifyCommand {
   unsigned threads = 1;
 };
 
-ExitStatus verify(const VerifyCommand& options) {
-  if (!options.points)
-    throw CLI::ValidationError("--points",
-                               "is needed: this version judges sets of points, not polygons");
-  Progress progress;
-  progress.stage("reading");
+Report judge_points(const VerifyCommand& options, const VerifyOptions& verify_options,
+                    Progress& progress) {
   const PointSet points = read_points(options.input);
   validate(points);
   const Mesh mesh = read_mesh(options.mesh);
   progress.stage("judging");
+  return verify_points(points, mesh, verify_options);
+}
+
+Report judge_polygon(const VerifyCommand& options, const VerifyOptions& verify_options,
+                     Progress& progress) {
+  const Polygon polygon = normalised(read_polygon(options.input));
+  const Mesh mesh = read_mesh(options.mesh);
+  progress.stage("judging");
+  return verify_polygon(polygon, mesh, verify_options);
+}
+
+ExitStatus verify(const VerifyCommand& options) {
+  Progress progress;
+  progress.stage("reading");
   VerifyOptions verify_options;
   verify_options.threads = options.threads;
-  const Report report = verify_points(points, mesh, verify_options);
+  const Report report = options.points ? judge_points(options, verify_options, progress)
+                                       : judge_polygon(options, verify_options, progress);
   if (!options.report.empty())
     write_file(options.report, [&report](std::ostream& stream) { stream << to_json(report); });
   if (!options.quiet) fmt::print("{}", to_text(report));
@@ -44,11 +56,13 @@ ExitStatus verify(const VerifyCommand& options) {
 }
 
 constexpr const char* kFooter =
-    R"(Any mesh: ours, or anyone's from gmsh or OBJ. Every verdict is exact.
+    R"(Any mesh: ours, or anyone's from gmsh or OBJ. Every verdict is exact. A polygon's boundary must
+be kept exactly; input angles that no quad splits are listed and not judged by the bounds.
 
 Examples:
-  quadbound verify --points points.csv mesh.json
-  quadbound verify --points points.csv mesh.msh --report report.json)";
+  quadbound verify lake.geojson mesh.json
+  quadbound verify plate.poly mesh.msh --report report.json
+  quadbound verify --points points.csv mesh.json)";
 
 }  // namespace
 
@@ -56,8 +70,12 @@ void add_verify_command(CLI::App& app, Outcome& outcome) {
   auto options = std::make_shared<VerifyCommand>();
   CLI::App* command = app.add_subcommand("verify", "judge a mesh, claim by claim");
   command->footer(kFooter);
-  command->add_flag("--points", options->points, "INPUT is a set of points (thm-1)");
-  command->add_option("INPUT", options->input, "points: .csv .node .xyz .txt")->required();
+  command->add_flag("--points", options->points,
+                    "INPUT is a set of points (thm-1), not a polygon (thm-13)");
+  command
+      ->add_option("INPUT", options->input,
+                   "polygon: .geojson .json .poly .wkt; points: .csv .node .xyz .txt")
+      ->required();
   command->add_option("MESH", options->mesh, "mesh: .json .msh .obj")->required();
   command->add_option("--report", options->report,
                       "write the report as JSON (- for standard output)");

@@ -4,6 +4,8 @@
 // own arithmetic; the claims are checked by definition, not by proof.
 
 #include <map>
+#include <optional>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -15,11 +17,14 @@ struct NaiveReport {
   /// no-overlap is decided for all meshes of strictly convex quads, and not-decided for others.
   std::map<std::string, Verdict> exact;
   std::map<std::string, StoredVerdict> stored;
-  std::pair<std::uint64_t, int> smallest;  ///< quad and corner
-  std::pair<std::uint64_t, int> largest;
+  using Corner = std::pair<std::uint64_t, int>;  ///< quad and corner
+  std::optional<Corner> smallest;                ///< of those that the bounds judge
+  std::optional<Corner> largest;
+  std::set<Corner> whole;  ///< whole input angles of a polygon
 };
 
 /// Requires: all rounded coordinates are finite. Complexity: quadratic.
 NaiveReport naive_judge(const PointSet& points, const Mesh& mesh);
+NaiveReport naive_judge(const Polygon& polygon, const Mesh& mesh);
 
 }  // namespace quadbound::test

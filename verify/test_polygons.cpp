@@ -104,6 +104,11 @@ std::vector<Case> valid_polygon_cases() {
   all.push_back(rectangles("straight vertices", lines(4), lines(3), {{1, 1}}, 0, 3));
   all.push_back(rectangles("two holes", lines(5), lines(3), {{1, 1}, {3, 1}}, Rational(1, 2), 2));
   all.push_back(rectangles("one cell", lines(1), lines(1), {}, 5));
+  // Two quads that split the angle at the origin, exactly at the lower and at the upper bound.
+  const Positions lower{{0, 0}, {6, 0}, {8, 1}, {6, 2}, {4, 8}, {-2, 6}};
+  const Positions upper{{0, 0}, {1, 0}, {-3, 4}, {-7, 1}, {-10, -3}, {-3, -4}};
+  for (const Positions& p : {lower, upper})
+    all.push_back(with_polygon(make_case("split angle", p, {{0, 1, 2, 3}, {0, 3, 4, 5}})));
   std::mt19937_64 random(5);
   all.push_back(with_polygon(perturbed_grid(4, 3, random)));
   all.push_back(with_polygon(mapped(square_with_hole(), "far away", dyadic(1, 40), 12345, 0)));
