@@ -246,10 +246,21 @@ class Judging(CommandLineTest):
     def test_foreign_meshes_are_judged_but_for_the_cells_they_do_not_tell(self):
         points = self.meshed()
         for mesh in ("mesh.obj", "mesh.msh"):
-            verdicts = self.verdicts("--points", points, mesh, status=1)
+            verdicts = self.verdicts("--points", points, mesh, status=0)
             self.assertEqual({id for id, verdict in verdicts.items() if verdict != "holds"},
                              {"size-3N", "thm-1"}, mesh)
             self.assertEqual(verdicts["size-3N"], "not-decided")
+
+    def test_thm_13_of_a_polygon_is_judged(self):
+        self.file("square.geojson", '{"type":"Polygon","coordinates":[[[0,0],[2,0],[2,2],[0,2],[0,0]]]}')
+        good = "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nf 1 2 3 4\n"
+        self.file("good.obj", good)
+        verdicts = self.verdicts("square.geojson", "good.obj", status=0)
+        self.assertEqual({id for id, verdict in verdicts.items() if verdict != "holds"},
+                         {"size-5N", "thm-13"})
+        self.file("moved.obj", good.replace("v 2 2 0", "v 2 1.5 0"))
+        verdicts = self.verdicts("square.geojson", "moved.obj", status=1)
+        self.assertEqual(verdicts["boundary-kept"], "fails")
 
     def test_a_moved_vertex_breaks_claims_by_name(self):
         points = self.meshed()

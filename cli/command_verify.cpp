@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <string>
 
@@ -52,12 +53,17 @@ ExitStatus verify(const VerifyCommand& options) {
   if (!options.report.empty())
     write_file(options.report, [&report](std::ostream& stream) { stream << to_json(report); });
   if (!options.quiet) fmt::print("{}", to_text(report));
-  return report.holds() ? kGood : kClaimFailed;
+  // Not decided is no failure by itself: nobody else's mesh says how many cells it comes from, and
+  // any other claim is left undecided only where one fails.
+  const bool fails = std::any_of(report.claims.begin(), report.claims.end(),
+                                 [](const Claim& claim) { return claim.exact == Verdict::fails; });
+  return fails ? kClaimFailed : kGood;
 }
 
 constexpr const char* kFooter =
     R"(Any mesh: ours, or anyone's from gmsh or OBJ. Every verdict is exact. A polygon's boundary must
-be kept exactly; input angles that no quad splits are listed and not judged by the bounds.
+be kept exactly; input angles that no quad splits are listed and not judged by the bounds. Status 1
+where a claim fails; the size is not decided where a mesh does not say its number of cells.
 
 Examples:
   quadbound verify lake.geojson mesh.json
