@@ -31,7 +31,8 @@ function(quadbound_library name)
   install(TARGETS quadbound_${name} EXPORT QuadboundTargets)
   install(DIRECTORY ./ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/quadbound/${name}
           FILES_MATCHING PATTERN "*.hpp" PATTERN "*_for_tests.hpp" EXCLUDE
-          PATTERN "test_*.hpp" EXCLUDE PATTERN "naive_judge.hpp" EXCLUDE)
+          PATTERN "test_*.hpp" EXCLUDE PATTERN "naive_judge.hpp" EXCLUDE
+          PATTERN "mutations.hpp" EXCLUDE)
 endfunction()
 
 # quadbound_test(NAME SOURCES ... LINKS ...): one GoogleTest program, a CTest entry per test.
