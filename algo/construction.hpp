@@ -58,4 +58,27 @@ inline constexpr std::array<std::string_view, kConstructionCount> kConstructionN
     "stitch 1|2",   "stitch 1|4",        "stitch 2|2",        "two-leaf L,L", "two-leaf L,2",
     "two-leaf 2,2", "two-leaf L,4",      "two-leaf 4,2",      "two-leaf 4,4"};
 
+/// Sections 3 and 4: which construction a quad between the quadtree's mesh and the boundary comes
+/// from. Numbered after those of Section 2 in a mesh of a polygon.
+enum class StripConstruction : std::uint8_t {
+  kQuad,           ///< one edge of alpha and two feet
+  kPentagon,       ///< two edges of alpha and two feet: three quads around a Steiner point
+  kBump,           ///< three edges of alpha closed by a fourth
+  kFan,            ///< two edges of alpha and a vertex of the polygon
+  kCorner,         ///< a vertex of alpha, its feet on two edges of the polygon and their corner
+  kCornerHexagon,  ///< two edges of alpha, two feet and a corner of the polygon: three quads
+  kKiteWhole,      ///< a kite as one quad
+  kKiteTip,        ///< the quad at the acute vertex of a kite
+  kKiteWing,       ///< the two quads between the tip and the kite's inner vertex
+  kKiteSide,       ///< quads along the two sides that a kite shares with the rest
+};
+inline constexpr std::size_t kStripConstructionCount = 10;
+inline constexpr std::array<std::string_view, kStripConstructionCount> kStripConstructionNames{
+    "strip quad",     "strip pentagon", "strip bump", "strip fan", "corner quad",
+    "corner hexagon", "kite whole",     "kite tip",   "kite wing", "kite side"};
+/// The number of a strip construction in Mesh::construction.
+inline constexpr std::uint8_t number_of(StripConstruction construction) {
+  return static_cast<std::uint8_t>(kConstructionCount + static_cast<std::size_t>(construction));
+}
+
 }  // namespace quadbound

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "algo/domain.hpp"
+
+#include <cmath>
+
+namespace quadbound {
+namespace {
+
+Int128 cross_of(LatticePoint a, LatticePoint b, LatticePoint x) {
+  return Int128{b.x - a.x} * (x.y - a.y) - Int128{b.y - a.y} * (x.x - a.x);
+}
+
+template <class Number>
+int sign_of(const Number& value) {
+  return value > 0 ? 1 : value < 0 ? -1 : 0;
+}
+
+Rational cross_of(const RationalPoint& a, const RationalPoint& b, const RationalPoint& x) {
+  return (b.x - a.x) * (x.y - a.y) - (b.y - a.y) * (x.x - a.x);
+}
+
+/// Difference and product errors of cross() on FinePoints stay below 2^-48 of the products.
+constexpr double kFilter = 0x1p-46;
+
+struct FloorDivision {
+  std::int64_t quotient;
+  double fraction;
+};
+FloorDivision floor_division(Int128 numerator, std::int64_t denominator) {
+  if (denominator < 0) {
+    numerator = -numerator;
+    denominator = -denominator;
+  }
+  Int128 quotient = numerator / denominator;
+  Int128 remainder = numerator % denominator;
+  if (remainder < 0) {
+    remainder += denominator;
+    --quotient;
+  }
+  return {static_cast<std::int64_t>(quotient),
+          static_cast<double>(remainder) / static_cast<double>(denominator)};
+}
+
+}  // namespace
+
+Domain::Domain(const RootSquare& root, const std::vector<std::vector<RationalPoint>>& rings)
+    : root_(root), vertices_(root.exponent), ring_count_(rings.size()) {
+  for (const std::vector<RationalPoint>& ring : rings) {
+    const auto first = static_cast<EdgeId>(vertices_.size());
+    const auto count = static_cast<EdgeId>(ring.size());
+    for (EdgeId k = 0; k < count; ++k) {
+      const EdgeId id = vertices_.add_exact(ring[k]);
+      next_.push_back(first + (k + 1) % count);
+      previous_.push_back(first + (k + count - 1) % count);
+      const LatticeFloor x = *lattice_floor(ring[k].x, root.exponent);
+      const LatticeFloor y = *lattice_floor(ring[k].y, root.exponent);
+      const RationalPoint units = in_units(id);
+      fine_.push_back({{x.floor, y.floor},
+                       {x.exact ? 0.0 : nearest_double(units.x - Rational(x.floor)),
+                        y.exact ? 0.0 : nearest_double(units.y - Rational(y.floor))}});
+    }
+  }
+  for (EdgeId e = 0; e < size(); ++e) {
+    const Vector d = direction(e);
+    runs_in_x_.push_back(std::abs(d.x) >= std::abs(d.y));
+    backwards_.push_back((runs_in_x_[e] ? d.x : d.y) < 0);
+  }
+}
+
+RationalPoint Domain::in_units(EdgeId vertex) const {
+  const Rational unit = dyadic(1, root_.exponent);
+  const RationalPoint at = vertices_.exact(vertex);
+  return {at.x / unit, at.y / unit};
+}
+
+int Domain::side_exact(EdgeId e, const RationalPoint& point) const {
+  return sign_of(cross_of(in_units(e), in_units(next_[e]), point));
+}
+
+int Domain::side(EdgeId e, LatticePoint point) const {
+  if (on_lattice_edge(e)) return sign_of(cross_of(floor(e), floor(next_[e]), point));
+  const Vector d = direction(e);
+  const Vector to = on_lattice(point) - at(e);
+  const double value = cross(d, to);
+  if (std::abs(value) > kFilter * (std::abs(d.x * to.y) + std::abs(d.y * to.x)) +
+                            0x1p-40 * (std::abs(d.x) + std::abs(d.y)))
+    return value > 0 ? 1 : -1;
+  return side_exact(e, {Rational(point.x), Rational(point.y)});
+}
+
+int Domain::side(EdgeId e, EdgeId vertex) const {
+  if (vertex == e || vertex == next_[e]) return 0;
+  if (!rounded(vertex)) return side(e, floor(vertex));
+  return side_exact(e, in_units(vertex));
+}
+
+double Domain::height(EdgeId e, LatticePoint point) const {
+  const Vector d = direction(e);
+  if (on_lattice_edge(e))
+    return static_cast<double>(cross_of(floor(e), floor(next_[e]), point)) / length(d);
+  const RationalPoint a = in_units(e);
+  const Rational c = cross_of(a, in_units(next_[e]), {Rational(point.x), Rational(point.y)});
+  return nearest_double(c) / length(d);
+}
+
+bool Domain::is_acute(EdgeId vertex) const {
+  const RationalPoint at = in_units(vertex);
+  const RationalPoint n = in_units(next_[vertex]);
+  const RationalPoint p = in_units(previous_[vertex]);
+  const Rational dot = (n.x - at.x) * (p.x - at.x) + (n.y - at.y) * (p.y - at.y);
+  return dot > 0 && cross_of(at, n, p) > 0;
+}
+
+std::int64_t Domain::foot(EdgeId e, LatticePoint point, double offset) const {
+  const Vector d = direction(e);
+  const double across = height(e, point) / length(d);
+  // From the point down to the line, then along it. On a line parallel to an axis nothing is added.
+  if (runs_in_x_[e]) return point.x + std::llround(across * d.y + offset * d.x / length(d));
+  return point.y + std::llround(-across * d.x + offset * d.y / length(d));
+}
+
+bool Domain::on_edge(EdgeId e, std::int64_t foot) const {
+  const FinePoint& a = fine_[e];
+  const FinePoint& b = fine_[next_[e]];
+  const bool x = runs_in_x_[e];
+  const std::int64_t low = std::min(x ? a.floor.x : a.floor.y, x ? b.floor.x : b.floor.y);
+  const std::int64_t high = std::max(x ? a.floor.x : a.floor.y, x ? b.floor.x : b.floor.y);
+  return low < foot && foot < high;
+}
+
+FinePoint Domain::foot_point(EdgeId e, std::int64_t foot) const {
+  const bool x = runs_in_x_[e];
+  FloorDivision other{};
+  if (on_lattice_edge(e)) {
+    const LatticePoint a = floor(e);
+    const LatticePoint b = floor(next_[e]);
+    other = x ? floor_division(Int128{foot - a.x} * (b.y - a.y), b.x - a.x)
+              : floor_division(Int128{foot - a.y} * (b.x - a.x), b.y - a.y);
+    other.quotient += x ? a.y : a.x;
+  } else {
+    const RationalPoint exact = foot_exact(e, foot);
+    const Rational value = (x ? exact.y : exact.x) / dyadic(1, root_.exponent);
+    other.quotient = lattice_floor(value, 0)->floor;
+    other.fraction = nearest_double(value - Rational(other.quotient));
+  }
+  return x ? FinePoint{{foot, other.quotient}, {0, other.fraction}}
+           : FinePoint{{other.quotient, foot}, {other.fraction, 0}};
+}
+
+RationalPoint Domain::foot_exact(EdgeId e, std::int64_t foot) const {
+  const RationalPoint a = vertices_.exact(e);
+  const RationalPoint b = vertices_.exact(next_[e]);
+  const Rational here = dyadic(foot, root_.exponent);
+  if (runs_in_x_[e]) return {here, a.y + (here - a.x) * (b.y - a.y) / (b.x - a.x)};
+  return {a.x + (here - a.y) * (b.x - a.x) / (b.y - a.y), here};
+}
+
+}  // namespace quadbound

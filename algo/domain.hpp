@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// The polygon that Section 3 meshes: the input P, or P less the kites at its acute vertices (the
+// paper's B, Section 4), on the lattice of the root square.
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "algo/fine_point.hpp"
+#include "algo/quadtree.hpp"
+#include "model/mesh.hpp"
+#include "model/polygon.hpp"
+
+namespace quadbound {
+
+/// A vertex of the domain, and the edge that starts there.
+using EdgeId = std::uint32_t;
+
+/// Section 4: the kite a-p-v-q at an acute vertex a. Its sides q-v and v-p are edges of the domain.
+struct Kite {
+  RationalPoint a;  ///< the acute vertex of P, as in the input
+  EdgeId p = 0;     ///< on the edge of P that leaves a
+  EdgeId v = 0;     ///< inside P
+  EdgeId q = 0;     ///< on the edge of P that ends in a
+};
+
+/// Guarantees: 1. vertices.exact(i) is the place of vertex i, exactly. 2. the interior is on the
+/// left of every edge. 3. side, foot are exact.
+class Domain {
+ public:
+  /// The vertices lie at `position` in the coordinates of the input; rings as in Polygon.
+  Domain(const RootSquare& root, const std::vector<std::vector<RationalPoint>>& rings);
+
+  [[nodiscard]] EdgeId size() const { return static_cast<EdgeId>(fine_.size()); }
+  [[nodiscard]] std::size_t ring_count() const { return ring_count_; }
+  [[nodiscard]] const RootSquare& root() const { return root_; }
+  [[nodiscard]] const Vertices& vertices() const { return vertices_; }
+
+  [[nodiscard]] EdgeId next(EdgeId i) const { return next_[i]; }
+  [[nodiscard]] EdgeId previous(EdgeId i) const { return previous_[i]; }
+  [[nodiscard]] const FinePoint& at(EdgeId i) const { return fine_[i]; }
+  /// Rounded down to the lattice, and whether that cut something off.
+  [[nodiscard]] LatticePoint floor(EdgeId i) const { return fine_[i].floor; }
+  [[nodiscard]] bool rounded(EdgeId i) const { return !vertices_.on_lattice(i); }
+  /// From the start of an edge to its end.
+  [[nodiscard]] Vector direction(EdgeId e) const { return fine_[next_[e]] - fine_[e]; }
+
+  /// +1 where a point is on the left of the line of an edge (inside), 0 on it, -1 on the right.
+  [[nodiscard]] int side(EdgeId e, LatticePoint point) const;
+  /// The same for a vertex of the domain.
+  [[nodiscard]] int side(EdgeId e, EdgeId vertex) const;
+  /// Height of a lattice point above the line of an edge, in lattice units, with an error of a few
+  /// units of the last place of the height.
+  [[nodiscard]] double height(EdgeId e, LatticePoint point) const;
+
+  /// The interior angle at a vertex is below 90 degrees, exactly.
+  [[nodiscard]] bool is_acute(EdgeId vertex) const;
+
+  // --- Steiner points on an edge, numbered by the coordinate that changes faster along it
+
+  /// Whether edge e runs more in x than in y: then its Steiner points have an integer x.
+  [[nodiscard]] bool runs_in_x(EdgeId e) const { return runs_in_x_[e]; }
+  /// Number of the Steiner point nearest to a lattice point's perpendicular foot moved along the
+  /// edge by `offset` lattice units.
+  [[nodiscard]] std::int64_t foot(EdgeId e, LatticePoint point, double offset = 0) const;
+  /// Whether a number is strictly between the ends of its edge.
+  [[nodiscard]] bool on_edge(EdgeId e, std::int64_t foot) const;
+  /// The same, increasing along the edge.
+  [[nodiscard]] std::int64_t along(EdgeId e, std::int64_t foot) const {
+    return backwards_[e] ? -foot : foot;
+  }
+  [[nodiscard]] FinePoint foot_point(EdgeId e, std::int64_t foot) const;
+  /// In the coordinates of the input.
+  [[nodiscard]] RationalPoint foot_exact(EdgeId e, std::int64_t foot) const;
+
+  std::vector<Kite> kites;
+
+ private:
+  [[nodiscard]] RationalPoint in_units(EdgeId vertex) const;
+  [[nodiscard]] int side_exact(EdgeId e, const RationalPoint& point) const;
+  [[nodiscard]] bool on_lattice_edge(EdgeId e) const { return !rounded(e) && !rounded(next_[e]); }
+
+  RootSquare root_;
+  Vertices vertices_;
+  std::size_t ring_count_;
+  std::vector<FinePoint> fine_;
+  std::vector<EdgeId> next_;
+  std::vector<EdgeId> previous_;
+  std::vector<bool> runs_in_x_;
+  std::vector<bool> backwards_;  ///< the number of the Steiner points falls along the edge
+};
+
+}  // namespace quadbound
