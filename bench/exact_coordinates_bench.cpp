@@ -3,10 +3,12 @@
 // The measurement behind model/exact-coordinates.md.
 //
 // Every representation judges the four corners of the same quads against kTheorem1. Before anything
-// is timed, all must give the same verdicts, corner by corner.
+// is timed, all must give the same verdicts, corner by corner. Then come the meshes whose figures
+// the text quotes: how far they keep to the lattice, and how often a bound is met exactly.
 
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <array>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <boost/multiprecision/gmp.hpp>
@@ -14,8 +16,11 @@
 #include <cstdint>
 #include <iostream>
 #include <string>
+#include <variant>
 #include <vector>
 
+#include "algo/mesh_points.hpp"
+#include "generators/points.hpp"
 #include "generators/random.hpp"
 #include "model/angle.hpp"
 #include "model/exact.hpp"
@@ -192,6 +197,12 @@ void add_all() {
   add_number<mp::cpp_rational, rational_coordinate>("cpp_rational");
 }
 
+/// Whether the angle is exactly one of kTheorem1's bounds.
+template <class Number>
+bool meets_bound(const Corner<Number>& corner) {
+  return corner.cross > 0 && (2 * corner.cross == corner.dot || 2 * corner.cross == -corner.dot);
+}
+
 void describe_quads() {
   std::size_t within_bounds = 0;
   std::size_t equal = 0;
@@ -199,12 +210,52 @@ void describe_quads() {
     if (judge<Int128>(quad) == kAllWithin) ++within_bounds;
     for (unsigned i = 0; i < 4; ++i) {
       const auto corner = corner_at<Int128>(quad[i], quad[(i + 1) % 4], quad[(i + 3) % 4]);
-      if (2 * corner.cross == corner.dot || 2 * corner.cross == -corner.dot) ++equal;
+      if (meets_bound(corner)) ++equal;
     }
   }
   std::cout << kQuads << " quads, " << within_bounds << " within both bounds; of " << 4 * kQuads
             << " corners " << equal << " meet a bound exactly and " << undecided_corners
             << " are left undecided by doubles\n";
+}
+
+std::size_t corners_at_bounds(const Mesh& mesh) {
+  const Vertices& vertices = mesh.vertices;
+  const auto is_on_lattice = [&](VertexId v) { return vertices.on_lattice(v); };
+  std::size_t count = 0;
+  for (const Quad& quad : mesh.quads) {
+    const bool on_lattice = std::ranges::all_of(quad, is_on_lattice);
+    for (unsigned i = 0; i < 4; ++i) {
+      const VertexId at = quad[i];
+      const VertexId next = quad[(i + 1) % 4];
+      const VertexId previous = quad[(i + 3) % 4];
+      count += on_lattice
+                   ? meets_bound(corner_at<Int128>(vertices.lattice(at), vertices.lattice(next),
+                                                   vertices.lattice(previous)))
+                   : meets_bound(corner_at<Rational>(vertices.exact(at), vertices.exact(next),
+                                                     vertices.exact(previous)));
+    }
+  }
+  return count;
+}
+
+void describe_mesh(const char* recipe) {
+  const PointMeshResult result = mesh_points(generate_points(parse_point_recipe(recipe)));
+  if (const auto* refusal = std::get_if<Refusal>(&result)) {
+    std::cout << recipe << ": " << refusal->message << '\n';
+    return;
+  }
+  const Mesh& mesh = std::get<PointMesh>(result).mesh;
+  std::cout << recipe << ": cells down to level " << int{*std::ranges::max_element(mesh.level)}
+            << "; of " << mesh.vertices.size() << " vertices " << mesh.vertices.off_lattice_count()
+            << " are off the lattice; of " << 4 * mesh.quads.size() << " corners "
+            << corners_at_bounds(mesh) << " meet a bound exactly\n";
+}
+
+void describe_meshes() {
+  for (const char* recipe :
+       {"uniform:n=1000,seed=1", "near-duplicate:n=1000,seed=1,share=100,offset=1",
+        "near-duplicate:n=1000,seed=1,share=100,offset=0", "exponential:n=1000,seed=1,octaves=50"})
+    describe_mesh(recipe);
 }
 
 }  // namespace
@@ -217,6 +268,7 @@ int main(int argc, char** argv) {
   if (!quadbound::all_agree) return 1;
   // Before the timing, which would count the undecided corners again.
   quadbound::describe_quads();
+  quadbound::describe_meshes();
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
 }
