@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "algo/domain.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace quadbound {
@@ -50,6 +51,7 @@ Domain::Domain(const RootSquare& root, const std::vector<std::vector<RationalPoi
     const auto count = static_cast<EdgeId>(ring.size());
     for (EdgeId k = 0; k < count; ++k) {
       const EdgeId id = vertices_.add_exact(ring[k]);
+      ring_.push_back(static_cast<std::uint32_t>(&ring - rings.data()));
       next_.push_back(first + (k + 1) % count);
       previous_.push_back(first + (k + count - 1) % count);
       const LatticeFloor x = *lattice_floor(ring[k].x, root.exponent);
@@ -109,6 +111,13 @@ bool Domain::is_acute(EdgeId vertex) const {
   const RationalPoint p = in_units(previous_[vertex]);
   const Rational dot = (n.x - at.x) * (p.x - at.x) + (n.y - at.y) * (p.y - at.y);
   return dot > 0 && cross_of(at, n, p) > 0;
+}
+
+bool Domain::is_kite_foot(EdgeId vertex) const {
+  // q comes before p in a kite, with nothing but v between.
+  const auto kite = std::lower_bound(kites.begin(), kites.end(), vertex,
+                                     [](const Kite& k, EdgeId v) { return k.p < v; });
+  return kite != kites.end() && (kite->p == vertex || kite->q == vertex);
 }
 
 std::int64_t Domain::foot(EdgeId e, LatticePoint point, double offset) const {

@@ -37,6 +37,7 @@ class Domain {
   [[nodiscard]] const RootSquare& root() const { return root_; }
   [[nodiscard]] const Vertices& vertices() const { return vertices_; }
 
+  [[nodiscard]] std::uint32_t ring(EdgeId i) const { return ring_[i]; }
   [[nodiscard]] EdgeId next(EdgeId i) const { return next_[i]; }
   [[nodiscard]] EdgeId previous(EdgeId i) const { return previous_[i]; }
   [[nodiscard]] const FinePoint& at(EdgeId i) const { return fine_[i]; }
@@ -74,7 +75,9 @@ class Domain {
   /// In the coordinates of the input.
   [[nodiscard]] RationalPoint foot_exact(EdgeId e, std::int64_t foot) const;
 
-  std::vector<Kite> kites;
+  std::vector<Kite> kites;  ///< ascending by p
+  /// Whether a vertex is the p or q of a kite. Complexity: logarithmic in the kites.
+  [[nodiscard]] bool is_kite_foot(EdgeId vertex) const;
 
  private:
   [[nodiscard]] RationalPoint in_units(EdgeId vertex) const;
@@ -85,6 +88,7 @@ class Domain {
   Vertices vertices_;
   std::size_t ring_count_;
   std::vector<FinePoint> fine_;
+  std::vector<std::uint32_t> ring_;
   std::vector<EdgeId> next_;
   std::vector<EdgeId> previous_;
   std::vector<bool> runs_in_x_;

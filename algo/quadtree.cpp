@@ -42,6 +42,16 @@ LatticePoint Quadtree::corner(Cell cell) const {
           low.y + (is_north(cell.quadrant) ? side : 0)};
 }
 
+Cell Quadtree::leaf_at(LatticePoint point) const {
+  for (BlockId block = 0;;) {
+    const Block& b = blocks_[block];
+    const std::int64_t half = std::int64_t{1} << (root_.side_bits - 1 - b.level);
+    const Cell cell{block, quadrant(point.x >= b.corner.x + half, point.y >= b.corner.y + half)};
+    if (is_leaf(cell)) return cell;
+    block = content(cell);
+  }
+}
+
 BlockId Quadtree::add_block(Cell cell, LatticePoint corner, std::uint8_t level) {
   const BlockId id = static_cast<BlockId>(blocks_.size());
   blocks_.push_back({{kEmptyLeaf, kEmptyLeaf, kEmptyLeaf, kEmptyLeaf},

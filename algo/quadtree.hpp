@@ -140,6 +140,10 @@ class Quadtree {
     }
   }
 
+  /// The leaf whose half-open square holds a point. Requires: inside the root.
+  /// Complexity: linear in its level.
+  [[nodiscard]] Cell leaf_at(LatticePoint point) const;
+
   /// Splits a leaf and whatever balance asks for. Cells that were split are appended to `changed`.
   /// Throws: TreeBudgetExceeded.
   void split(Cell cell, std::vector<Cell>& changed);

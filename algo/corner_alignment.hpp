@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// Lemma 12, Case 3: the centre beside the cell of a corner is aligned with the corner, so that the
+// edge between them is parallel to an axis.
+
+#include <vector>
+
+#include "algo/domain.hpp"
+#include "algo/edge_insertion.hpp"
+#include "algo/kept_quads.hpp"
+#include "algo/tree_mesh.hpp"
+
+namespace quadbound {
+
+/// For each vertex of the domain, moves those of the four centres beside its cell that lie between
+/// its edges: parallel to the side of their cell, in line with the vertex. One is moved only if the
+/// angles beside the line are arctan(1/3) at least and the kept quads stay in the bounds, exactly.
+///
+/// Guarantees: 1. centres stay in their cells. Complexity: linear.
+void align_with_corners(const Domain& domain, TreeMesh& tree_mesh, const CutQuads& cut_quads,
+                        const KeptQuads& kept, InsertionCounters& counters);
+
+}  // namespace quadbound

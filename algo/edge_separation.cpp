@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "algo/edge_separation.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <optional>
+#include <span>
+#include <utility>
+
+namespace quadbound {
+namespace {
+
+using EdgePair = std::pair<EdgeId, EdgeId>;
+
+class FaultFinder {
+ public:
+  FaultFinder(const Domain& domain, const TreeMesh& tree_mesh, const CutQuads& cut_quads)
+      : domain_(domain), tree_mesh_(tree_mesh), cut_quads_(cut_quads) {}
+
+  std::vector<SeparationFault> run() {
+    check_quads();
+    check_vertices();
+    return std::move(faults_);
+  }
+
+ private:
+  // --- (i): quads that two edges cut -------------------------------------------------------------
+
+  void check_quads() {
+    const std::vector<Cut>& cuts = cut_quads_.cuts();
+    for (std::size_t first = 0; first < cuts.size();) {
+      std::size_t end = first + 1;
+      while (end < cuts.size() && cuts[end].quad == cuts[first].quad) ++end;
+      if (end - first > 1) check_quad({cuts.data() + first, end - first});
+      first = end;
+    }
+  }
+
+  void check_quad(std::span<const Cut> cuts) {
+    for (std::size_t i = 1; i < cuts.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        if (near_common_vertex(cuts[i], cuts[j]) || !interior_between(cuts[i], cuts[j])) continue;
+        return blame_quad(cuts[i].quad, cuts[i].edge, cuts[j].edge);
+      }
+    }
+  }
+
+  [[nodiscard]] bool near_common_vertex(const Cut& a, const Cut& b) const {
+    const Quad& quad = tree_mesh_.mesh().quads[a.quad];
+    const auto all_in_grid = [&](EdgeId site) {
+      return std::all_of(quad.begin(), quad.end(),
+                         [&](VertexId v) { return in_grid(tree_mesh_.leaf_of(v), site); });
+    };
+    if (domain_.next(a.edge) == b.edge && all_in_grid(b.edge)) return true;
+    return domain_.next(b.edge) == a.edge && all_in_grid(a.edge);
+  }
+
+  /// The middle of either chord, as far as it belongs to its edge, lies on the left of the other.
+  [[nodiscard]] bool interior_between(const Cut& a, const Cut& b) const {
+    return on_left(a.edge, b) && on_left(b.edge, a);
+  }
+  [[nodiscard]] bool on_left(EdgeId edge, const Cut& of) const {
+    const double middle = (std::max(0.0, of.from) + std::min(1.0, of.to)) / 2;
+    const Vector from_start = domain_.at(of.edge) - domain_.at(edge);
+    return cross(domain_.direction(edge), from_start + middle * domain_.direction(of.edge)) > 0;
+  }
+
+  // --- (ii): vertices below which several edges run ----------------------------------------------
+
+  void check_vertices() {
+    const std::vector<Above>& all = cut_quads_.all_above();
+    for (std::size_t first = 0; first < all.size();) {
+      std::size_t end = first + 1;
+      while (end < all.size() && all[end].vertex == all[first].vertex) ++end;
+      check_vertex({all.data() + first, end - first});
+      first = end;
+    }
+  }
+
+  void check_vertex(std::span<const Above> edges) {
+    const VertexId vertex = edges.front().vertex;
+    const std::optional<EdgePair> pair = too_close_at(edges);
+    if (!pair) return;
+    for (const QuadId quad : tree_mesh_.quads_at(vertex))
+      if (cut_quads_.is_cut(quad)) blame_quad(quad, pair->first, pair->second);
+  }
+
+  /// An edge that must not run below this vertex, and one that it is too close to.
+  [[nodiscard]] std::optional<EdgePair> too_close_at(std::span<const Above> edges) const {
+    const Cell leaf = tree_mesh_.leaf_of(edges.front().vertex);
+    bool in_some_grid = false;
+    std::optional<EdgePair> pair;
+    for_sites_with_grid(leaf, [&](EdgeId site) {
+      in_some_grid = true;
+      for (const Above& above : edges)
+        if (above.edge != site && above.edge != domain_.previous(site)) pair = {above.edge, site};
+    });
+    if (!in_some_grid && edges.size() > 1) pair = {edges.front().edge, edges.back().edge};
+    return pair;
+  }
+
+  // --- 5x5 grids ---------------------------------------------------------------------------------
+
+  [[nodiscard]] bool in_grid(Cell leaf, EdgeId site) const {
+    const Quadtree& tree = tree_mesh_.tree();
+    const Cell cell = tree_mesh_.cell_of(site);
+    if (tree.side_bits(leaf) != tree.side_bits(cell)) return false;
+    const LatticePoint a = tree.corner(leaf);
+    const LatticePoint b = tree.corner(cell);
+    const std::int64_t reach = std::int64_t{2} << tree.side_bits(cell);
+    return std::abs(a.x - b.x) <= reach && std::abs(a.y - b.y) <= reach;
+  }
+
+  /// All 24 cells around a cell with a point are leaves of its size, so the cells in question are
+  /// reached from the leaf through cells that exist.
+  template <class Visit>
+  void for_sites_with_grid(Cell leaf, const Visit& visit) const {
+    const Quadtree& tree = tree_mesh_.tree();
+    const LatticePoint low = tree.corner(leaf);
+    const LatticePoint root = tree.root().corner;
+    const std::int64_t side = std::int64_t{1} << tree.side_bits(leaf);
+    const std::int64_t root_side = std::int64_t{1} << tree.root().side_bits;
+    for (int dx = -2; dx <= 2; ++dx) {
+      for (int dy = -2; dy <= 2; ++dy) {
+        const LatticePoint at{low.x + dx * side, low.y + dy * side};
+        if (at.x < root.x || at.y < root.y || at.x >= root.x + root_side ||
+            at.y >= root.y + root_side)
+          continue;
+        const Cell there = tree.leaf_at(at);
+        if (tree.side_bits(there) != tree.side_bits(leaf) || !tree.has_point(there)) continue;
+        visit(tree_mesh_.site_near(tree_mesh_.centre(there)));
+      }
+    }
+  }
+
+  // --- what to split -----------------------------------------------------------------------------
+
+  void blame_quad(QuadId quad, EdgeId edge, EdgeId other) {
+    std::vector<Cell> leaves;
+    int largest = 0;
+    for (const VertexId v : tree_mesh_.mesh().quads[quad]) {
+      leaves.push_back(tree_mesh_.leaf_of(v));
+      largest = std::max(largest, tree_mesh_.tree().side_bits(leaves.back()));
+    }
+    for (const Cell leaf : leaves)
+      if (tree_mesh_.tree().side_bits(leaf) == largest) faults_.push_back({leaf, edge, other});
+  }
+
+  const Domain& domain_;
+  const TreeMesh& tree_mesh_;
+  const CutQuads& cut_quads_;
+  std::vector<SeparationFault> faults_;
+};
+
+}  // namespace
+
+std::vector<SeparationFault> separation_faults(const Domain& domain, const TreeMesh& tree_mesh,
+                                               const CutQuads& cut_quads) {
+  return FaultFinder(domain, tree_mesh, cut_quads).run();
+}
+
+}  // namespace quadbound

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// Section 3.1.1: edge separation. Where two edges come too close for the quads between them, the
+// cells there are split.
+
+#include <vector>
+
+#include "algo/cut_quads.hpp"
+#include "algo/domain.hpp"
+#include "algo/tree_mesh.hpp"
+
+namespace quadbound {
+
+struct SeparationFault {
+  Cell split;   ///< a leaf to be split
+  EdgeId edge;  ///< two edges that are too close to each other there
+  EdgeId other;
+};
+
+/// What keeps the edges from being separated.
+///
+/// Guarantees: 1. None are found exactly if (i) a quad that two edges cut with the interior between
+/// them belongs to the 5x5 grid of a vertex of both, and (ii) the edges above a vertex inside are
+/// one at most, or end in the vertex of the domain in whose 5x5 grid it lies. 2. For each fault the
+/// largest of the leaves at the quads in question are named.
+/// Complexity: linear in the cuts, times the logarithm of the depth of the tree.
+std::vector<SeparationFault> separation_faults(const Domain& domain, const TreeMesh& tree_mesh,
+                                               const CutQuads& cut_quads);
+
+}  // namespace quadbound

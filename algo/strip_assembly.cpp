@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "algo/strip_assembly.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace quadbound {
+namespace {
+
+class Assembly {
+ public:
+  Assembly(const Domain& domain, const TreeMesh& tree_mesh, const KeptQuads& kept)
+      : domain_(domain), tree_mesh_(tree_mesh), kept_(kept) {
+    made_.mesh.vertices = Vertices(domain.root().exponent);
+    made_.mesh.cells = tree_mesh.tree().leaf_count();
+    made_.mesh.construction_names.assign(kConstructionNames.begin(), kConstructionNames.end());
+    made_.mesh.construction_names.insert(made_.mesh.construction_names.end(),
+                                         kStripConstructionNames.begin(),
+                                         kStripConstructionNames.end());
+  }
+
+  DomainMesh run(const std::vector<Strip>& strips) {
+    number_kept_vertices();
+    add_kept_quads();
+    for (EdgeId site = 0; site < domain_.size(); ++site)
+      made_.vertex_of.push_back(made_.mesh.vertices.add_exact(domain_.vertices().exact(site)));
+    number_feet(strips);
+    for (const Strip& strip : strips) add_strip(strip);
+    return std::move(made_);
+  }
+
+ private:
+  void number_kept_vertices() {
+    const Mesh& q = tree_mesh_.mesh();
+    number_.assign(q.vertices.size(), kNoVertex);
+    for (QuadId quad = 0; quad < q.quads.size(); ++quad)
+      if (kept_.is_kept[quad])
+        for (const VertexId v : q.quads[quad]) number_[v] = 0;
+    for (VertexId v = 0; v < number_.size(); ++v)
+      if (number_[v] == 0) number_[v] = made_.mesh.vertices.add(tree_mesh_.at(v));
+  }
+
+  void add_kept_quads() {
+    const Mesh& q = tree_mesh_.mesh();
+    for (QuadId quad = 0; quad < q.quads.size(); ++quad) {
+      if (!kept_.is_kept[quad]) continue;
+      Quad numbered = q.quads[quad];
+      for (VertexId& v : numbered) v = number_[v];
+      add_quad(numbered, q.construction[quad], q.level[quad]);
+    }
+  }
+
+  void add_quad(const Quad& quad, std::uint8_t construction, std::uint8_t level) {
+    made_.mesh.quads.push_back(quad);
+    made_.mesh.construction.push_back(construction);
+    made_.mesh.level.push_back(level);
+  }
+
+  void number_feet(const std::vector<Strip>& strips) {
+    for (const Strip& strip : strips)
+      for (const StripQuad& quad : strip.quads)
+        for (const StripVertex& v : quad.corners)
+          if (v.kind == StripVertex::Kind::kFoot)
+            feet_.emplace_back(v.id, domain_.along(v.id, v.foot));
+    std::sort(feet_.begin(), feet_.end());
+    feet_.erase(std::unique(feet_.begin(), feet_.end()), feet_.end());
+    made_.steiner.resize(domain_.size());
+    for (const auto& [edge, along] : feet_) {
+      const VertexId v =
+          made_.mesh.vertices.add_exact(domain_.foot_exact(edge, domain_.along(edge, along)));
+      made_.steiner[edge].push_back(v);
+      foot_vertices_.push_back(v);
+    }
+  }
+
+  [[nodiscard]] VertexId foot_vertex(const StripVertex& v) const {
+    const auto at =
+        std::lower_bound(feet_.begin(), feet_.end(), std::pair{v.id, domain_.along(v.id, v.foot)});
+    return foot_vertices_[static_cast<std::size_t>(at - feet_.begin())];
+  }
+
+  void add_strip(const Strip& strip) {
+    std::vector<VertexId> steiner;
+    for (const LatticePoint point : strip.steiner)
+      steiner.push_back(made_.mesh.vertices.add(point));
+    for (const StripQuad& quad : strip.quads) {
+      Quad numbered{};
+      std::uint8_t level = 0;
+      for (unsigned k = 0; k < 4; ++k) {
+        const StripVertex& v = quad.corners[k];
+        numbered[k] = vertex(v, steiner);
+        if (v.kind == StripVertex::Kind::kMesh) level = std::max(level, level_of(v.id));
+      }
+      add_quad(numbered, number_of(quad.construction), level);
+    }
+  }
+
+  [[nodiscard]] VertexId vertex(const StripVertex& v, const std::vector<VertexId>& steiner) const {
+    switch (v.kind) {
+      case StripVertex::Kind::kMesh:
+        return number_[v.id];
+      case StripVertex::Kind::kSite:
+        return made_.vertex_of[v.id];
+      case StripVertex::Kind::kFoot:
+        return foot_vertex(v);
+      case StripVertex::Kind::kSteiner:
+        return steiner[v.id];
+    }
+    return kNoVertex;
+  }
+
+  [[nodiscard]] std::uint8_t level_of(VertexId v) const {
+    const Quadtree& tree = tree_mesh_.tree();
+    return static_cast<std::uint8_t>(tree.root().side_bits - tree.side_bits(tree_mesh_.leaf_of(v)));
+  }
+
+  const Domain& domain_;
+  const TreeMesh& tree_mesh_;
+  const KeptQuads& kept_;
+  DomainMesh made_;
+  std::vector<VertexId> number_;                       ///< of a vertex of Q in the mesh
+  std::vector<std::pair<EdgeId, std::int64_t>> feet_;  ///< edge, place along it
+  std::vector<VertexId> foot_vertices_;
+};
+
+}  // namespace
+
+DomainMesh assemble(const Domain& domain, const TreeMesh& tree_mesh, const KeptQuads& kept,
+                    const std::vector<Strip>& strips) {
+  return Assembly(domain, tree_mesh, kept).run(strips);
+}
+
+}  // namespace quadbound

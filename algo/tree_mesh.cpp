@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "algo/tree_mesh.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "algo/quadrangulation.hpp"
+
+namespace quadbound {
+namespace {
+
+/// Vertices that VertexNumbering gave a leaf: its centre and the extra points that are kept.
+VertexId vertices_of_leaf(const TemplateTree& tree, NodeId node, Quadrant q) {
+  const Template which = which_template(tree.children(node));
+  if (which == Template::kT4) return 1;
+  const VertexId outer = tree.fate(node, q) == ExtraFate::kDropped ? 0 : 1;
+  const VertexId inner = which == Template::kT1 || which == Template::kT2b ? 1 : 0;
+  return 1 + outer + inner;
+}
+
+}  // namespace
+
+TreeMesh::TreeMesh(const Domain& domain, const Separation& separation, Counters& counters)
+    : tree_(separation.tree()), template_tree_(tree_), cell_of_(separation.cell_of_point()) {
+  mesh_ = quadrangulate(template_tree_, tree_.root(), TwoTwoVariant::kExact, counters);
+  const auto count = static_cast<VertexId>(mesh_.vertices.size());
+  for (VertexId v = end_of_leaf_vertices(); v < count; ++v)
+    halves_extras_.emplace_back(centre(leaf_of(v)), v);
+  std::sort(halves_extras_.begin(), halves_extras_.end());
+  place_sites(domain);
+  link_quads();
+}
+
+/// Leaves are numbered depth first, so the last leaf of the tree has the last of their vertices.
+VertexId TreeMesh::end_of_leaf_vertices() const {
+  constexpr Quadrant last = kQuadrants.back();
+  NodeId node = 0;
+  while ((template_tree_.children(node)[last] & Quadtree::kLeaf) == 0)
+    node = template_tree_.children(node)[last];
+  return template_tree_.centre(node, last) + vertices_of_leaf(template_tree_, node, last);
+}
+
+void TreeMesh::place_sites(const Domain& domain) {
+  site_near_.assign(mesh_.vertices.size(), kNoSite);
+  for (EdgeId site = 0; site < domain.size(); ++site) {
+    const VertexId vertex = centre(cell_of_[site]);
+    vertex_of_.push_back(vertex);
+    site_near_[vertex] = site;
+    tree_.for_extended_neighbours(
+        cell_of_[site], [this, site](int, int, Cell there) { site_near_[centre(there)] = site; });
+    mesh_.vertices.move_to(vertex, domain.floor(site));
+  }
+}
+
+void TreeMesh::link_quads() {
+  first_quad_.assign(mesh_.vertices.size() + 1, 0);
+  for (const Quad& quad : mesh_.quads)
+    for (const VertexId v : quad) ++first_quad_[v + 1];
+  for (std::size_t v = 1; v < first_quad_.size(); ++v) first_quad_[v] += first_quad_[v - 1];
+  quads_at_.resize(4 * mesh_.quads.size());
+  std::vector<std::uint32_t> end(first_quad_.begin(), first_quad_.end() - 1);
+  for (QuadId quad = 0; quad < mesh_.quads.size(); ++quad)
+    for (const VertexId v : mesh_.quads[quad]) quads_at_[end[v]++] = quad;
+}
+
+void TreeMesh::append_vertices_of(Cell leaf, std::vector<VertexId>& vertices) const {
+  const NodeId node = template_tree_.node_of(leaf.block);
+  const VertexId first = template_tree_.centre(node, leaf.quadrant);
+  const VertexId count = vertices_of_leaf(template_tree_, node, leaf.quadrant);
+  for (VertexId v = first; v < first + count; ++v) vertices.push_back(v);
+  auto extra =
+      std::lower_bound(halves_extras_.begin(), halves_extras_.end(), std::pair{first, VertexId{0}});
+  for (; extra != halves_extras_.end() && extra->first == first; ++extra)
+    vertices.push_back(extra->second);
+}
+
+}  // namespace quadbound

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// The quadtree of a domain's vertices and its quadrangulation Q, with the links that Section 3 asks
+// for.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "algo/counters.hpp"
+#include "algo/domain.hpp"
+#include "algo/quadtree.hpp"
+#include "algo/separation.hpp"
+#include "algo/template_tree.hpp"
+#include "model/mesh.hpp"
+
+namespace quadbound {
+
+using QuadId = std::uint32_t;
+
+/// Guarantees: 1. The centre of the cell of a domain's vertex is moved onto that vertex (rounded
+/// down to the lattice); nothing else is moved. 2. quads_at lists every quad of a vertex once,
+/// ascending.
+/// Requires: tree and domain outlive it, and stay as they are. Complexity: linear.
+class TreeMesh {
+ public:
+  static constexpr EdgeId kNoSite = 0xFFFF'FFFFU;
+
+  TreeMesh(const Domain& domain, const Separation& separation, Counters& counters);
+
+  [[nodiscard]] const Quadtree& tree() const { return tree_; }
+  [[nodiscard]] const Mesh& mesh() const { return mesh_; }
+  [[nodiscard]] LatticePoint at(VertexId vertex) const { return mesh_.vertices.lattice(vertex); }
+  void move_to(VertexId vertex, LatticePoint point) { mesh_.vertices.move_to(vertex, point); }
+
+  [[nodiscard]] std::span<const QuadId> quads_at(VertexId vertex) const {
+    return {quads_at_.data() + first_quad_[vertex], first_quad_[vertex + 1] - first_quad_[vertex]};
+  }
+
+  [[nodiscard]] VertexId centre(Cell leaf) const {
+    return template_tree_.centre(template_tree_.node_of(leaf.block), leaf.quadrant);
+  }
+  /// The leaf that a vertex lies in.
+  [[nodiscard]] Cell leaf_of(VertexId vertex) const { return tree_.leaf_at(at(vertex)); }
+  /// Appends the vertices that the tree gave a leaf: they lie in it, or, if mirrored, within a
+  /// quarter of its side outside.
+  void append_vertices_of(Cell leaf, std::vector<VertexId>& vertices) const;
+
+  /// The leaf and the mesh vertex of a vertex of the domain.
+  [[nodiscard]] Cell cell_of(EdgeId site) const { return cell_of_[site]; }
+  [[nodiscard]] VertexId vertex_of(EdgeId site) const { return vertex_of_[site]; }
+  /// The vertex of the domain whose cell or one of the 8 cells around it has its centre here; or
+  /// kNoSite.
+  [[nodiscard]] EdgeId site_near(VertexId vertex) const { return site_near_[vertex]; }
+  [[nodiscard]] bool is_site(VertexId vertex) const {
+    return site_near_[vertex] != kNoSite && vertex_of_[site_near_[vertex]] == vertex;
+  }
+
+ private:
+  void link_quads();
+  void place_sites(const Domain& domain);
+  [[nodiscard]] VertexId end_of_leaf_vertices() const;
+
+  const Quadtree& tree_;
+  TemplateTree template_tree_;
+  Mesh mesh_;
+  std::vector<Cell> cell_of_;
+  std::vector<VertexId> vertex_of_;
+  std::vector<EdgeId> site_near_;
+  std::vector<std::uint32_t> first_quad_;
+  std::vector<QuadId> quads_at_;
+  /// Extra points of the case 2,2, which are numbered after all others: centre of the leaf, extra.
+  std::vector<std::pair<VertexId, VertexId>> halves_extras_;
+};
+
+}  // namespace quadbound
