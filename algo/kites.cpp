@@ -5,9 +5,7 @@
 #define BOOST_ALLOW_DEPRECATED_HEADERS
 #include <algorithm>
 #include <array>
-#include <boost/geometry/core/cs.hpp>
-#include <boost/geometry/geometries/box.hpp>
-#include <boost/geometry/geometries/point.hpp>
+#include <boost/geometry.hpp>
 #include <boost/geometry/index/rtree.hpp>
 #include <cmath>
 #include <cstdint>
@@ -38,9 +36,14 @@ constexpr int kShortestSideBits = 8;
 constexpr double kBoxMargin = 0x1p8;
 /// Relative to the kites, far below the room that enlarging them makes, far above rounding.
 constexpr double kSeparationMargin = 0x1p-40;
+/// Of a kite in search of vertices. Each costs a descent into the tree of vertices.
+constexpr double kMostSlices = 16;
+constexpr int kPiecesPerEdge = 6;
 
 using BoxPoint = boost::geometry::model::point<double, 2, boost::geometry::cs::cartesian>;
 using Box = boost::geometry::model::box<BoxPoint>;
+using PointTree = boost::geometry::index::rtree<std::pair<BoxPoint, std::uint32_t>,
+                                                boost::geometry::index::quadratic<16>>;
 using BoxTree = boost::geometry::index::rtree<std::pair<Box, std::uint32_t>,
                                               boost::geometry::index::quadratic<16>>;
 
@@ -90,8 +93,7 @@ class KiteSizes {
 
   std::vector<Tip> settle() {
     for (const Tip& tip : tips_) check_size(tip);
-    const BoxTree edges = edge_tree();
-    for (Tip& tip : tips_) clear_of_edges(tip, edges);
+    clear_of_edges();
     clear_of_kites();
     return std::move(tips_);
   }
@@ -120,24 +122,73 @@ class KiteSizes {
 
   // --- clear of edges
 
-  [[nodiscard]] BoxTree edge_tree() const {
-    std::vector<std::pair<Box, std::uint32_t>> boxes;
-    boxes.reserve(whole_.size());
-    for (EdgeId e = 0; e < whole_.size(); ++e)
-      boxes.emplace_back(box_around(as_doubles(whole_.at(e)),
-                                    std::array<Vector, 2>{Vector{}, whole_.direction(e)}),
-                         e);
-    return BoxTree(boxes);
+  /// A kite that holds no vertex is met only by edges that pass in front of v: they cross the path
+  /// p-v-q, since they cannot cross the polygon. So there are two searches, and each has little to
+  /// look at even where thousands of long edges run side by side: vertices near the kite, and edges
+  /// near its far end.
+  void clear_of_edges() {
+    std::vector<std::pair<BoxPoint, std::uint32_t>> points;
+    for (EdgeId e = 0; e < whole_.size(); ++e) {
+      const Vector at = as_doubles(whole_.at(e));
+      points.emplace_back(BoxPoint(at.x, at.y), e);
+    }
+    const PointTree vertices(points);
+    const BoxTree edges(boxes_of_edges());
+    for (Tip& tip : tips_) {
+      for (int slice = 0; slice < slices(tip); ++slice) clear_of_vertices(tip, slice, vertices);
+      clear_far_end(tip, edges);
+    }
   }
 
-  void clear_of_edges(Tip& tip, const BoxTree& edges) const {
-    // Any edge in the way makes the kite smaller at once, so that a kite costs the edges near the
-    // size it ends with, not those near the size it starts with.
+  /// The boxes of long slanted edges hold much besides, so edges come in pieces: kPiecesPerEdge for
+  /// one of average length.
+  [[nodiscard]] std::vector<std::pair<Box, std::uint32_t>> boxes_of_edges() const {
+    double total = 0;
+    for (EdgeId e = 0; e < whole_.size(); ++e) total += length(whole_.direction(e));
+    const double longest = total / (kPiecesPerEdge * whole_.size());
+    std::vector<std::pair<Box, std::uint32_t>> boxes;
+    for (EdgeId e = 0; e < whole_.size(); ++e) {
+      const Vector along = whole_.direction(e);
+      const double count = std::ceil(length(along) / longest);
+      for (double k = 0; k < count; ++k)
+        boxes.emplace_back(box_around(as_doubles(whole_.at(e)),
+                                      std::array{k / count * along, (k + 1) / count * along}),
+                           e);
+    }
+    return boxes;
+  }
+
+  /// A long thin kite is searched in parts, whose boxes are small.
+  static int slices(const Tip& tip) {
+    return static_cast<int>(std::clamp(tip.reach / tip.side(), 1.0, kMostSlices));
+  }
+
+  void clear_of_vertices(Tip& tip, int slice, const PointTree& vertices) const {
+    // Whatever is in the way makes the kite smaller at once, so that a kite costs the vertices near
+    // the size it ends with, not those near the size it starts with.
+    const int count = slices(tip);
     for (bool clear = false; !clear;) {
       clear = true;
+      const double near = kClearOfEdges * slice / count;
+      const double far = kClearOfEdges * (slice + 1) / count;
       const Box box = box_around(as_doubles(whole_.at(tip.a)),
-                                 std::array<Vector, 4>{Vector{}, tip.p(kClearOfEdges),
-                                                       tip.v(kClearOfEdges), tip.q(kClearOfEdges)});
+                                 std::array{tip.p(near), tip.q(near), tip.p(far), tip.q(far),
+                                            slice + 1 == count ? tip.v(far) : tip.p(far)});
+      const auto end = vertices.qend();
+      for (auto it = vertices.qbegin(boost::geometry::index::intersects(box)); clear && it != end;
+           ++it) {
+        while (is_inside(it->second, tip)) {
+          shrink(tip);
+          clear = false;
+        }
+      }
+    }
+  }
+
+  void clear_far_end(Tip& tip, const BoxTree& edges) const {
+    for (bool clear = false; !clear;) {
+      clear = true;
+      const Box box = box_around(as_doubles(whole_.at(tip.a)), cap(tip, kClearOfEdges));
       const auto end = edges.qend();
       for (auto it = edges.qbegin(boost::geometry::index::intersects(box)); clear && it != end;
            ++it) {
@@ -149,8 +200,19 @@ class KiteSizes {
     }
   }
 
-  /// Whether an edge meets the enlarged kite; the test is exact for the kite's sides on the
-  /// polygon, near which other edges may run as close as they like. The others have room.
+  /// Whether the enlarged kite holds a vertex; exact for the kite's sides on the polygon, near
+  /// which other edges may run as close as they like. The other sides have room.
+  [[nodiscard]] bool is_inside(EdgeId vertex, const Tip& tip) const {
+    if (vertex == tip.a) return false;
+    const Vector at = whole_.at(vertex) - whole_.at(tip.a);
+    const double far = kClearOfEdges * tip.reach;
+    if (dot(tip.along_p, at) > far || dot(tip.along_q, at) > far) return false;
+    const double margin = kSeparationMargin * (std::abs(at.x) + std::abs(at.y));
+    if (cross(tip.along_p, at) < -margin || cross(at, tip.along_q) < -margin) return false;
+    return whole_.side(tip.a, vertex) > 0 && whole_.side(whole_.previous(tip.a), vertex) > 0;
+  }
+
+  /// Whether an edge meets the enlarged kite, likewise.
   ///
   /// Edges that have the tip on their right, or on their line, are left out: P lies on their left,
   /// so that what the tip sees first of the kite's surroundings has the tip on its left.
@@ -161,13 +223,13 @@ class KiteSizes {
     const double far = kClearOfEdges * tip.reach;
     if (dot(tip.along_p, from) > far && dot(tip.along_p, to) > far) return false;
     if (dot(tip.along_q, from) > far && dot(tip.along_q, to) > far) return false;
-    const Vector middle = tip.along_p + tip.along_q;
-    if (dot(middle, from) < 0 && dot(middle, to) < 0) return false;
     const Vector along = to - from;
-    const double above = std::min({cross(along, tip.p(kClearOfEdges) - from),
-                                   cross(along, tip.v(kClearOfEdges) - from),
-                                   cross(along, tip.q(kClearOfEdges) - from)});
-    if (above > 0 && cross(along, from) < 0) return false;
+    const double above = cross(from, along);
+    if (above < -kSeparationMargin * length(along) * (length(from) + length(to))) return false;
+    const std::array<Vector, 3> corners = cap(tip, kClearOfEdges);
+    if (above > 0 && std::all_of(corners.begin(), corners.end(),
+                                 [&](Vector corner) { return cross(along, corner - from) > 0; }))
+      return false;
     return !is_right_of(tip.a, e) && !is_right_of(whole_.previous(tip.a), e) &&
            whole_.side(e, tip.a) > 0;
   }
@@ -185,8 +247,9 @@ class KiteSizes {
     std::vector<std::pair<Box, std::uint32_t>> boxes;
     boxes.reserve(tips_.size());
     for (std::size_t i = 0; i < tips_.size(); ++i)
-      boxes.emplace_back(box_around(as_doubles(whole_.at(tips_[i].a)), cap(tips_[i])),
-                         static_cast<std::uint32_t>(i));
+      boxes.emplace_back(
+          box_around(as_doubles(whole_.at(tips_[i].a)), cap(tips_[i], kClearOfKites)),
+          static_cast<std::uint32_t>(i));
     const BoxTree tree(boxes);
     std::vector<std::pair<Box, std::uint32_t>> near;
     for (const auto& [box, i] : boxes) {
@@ -197,16 +260,18 @@ class KiteSizes {
     }
   }
 
-  static std::array<Vector, 3> cap(const Tip& tip) {
-    return {tip.p(kClearOfKites), tip.v(kClearOfKites), tip.q(kClearOfKites)};
+  /// The far end of a kite, counter-clockwise.
+  static std::array<Vector, 3> cap(const Tip& tip, double scale) {
+    return {tip.p(scale), tip.v(scale), tip.q(scale)};
   }
 
   void keep_apart(Tip& first, Tip& second) const {
     const Vector between = whole_.at(second.a) - whole_.at(first.a);
     for (;;) {
-      std::array<Vector, 3> moved = cap(second);
+      std::array<Vector, 3> moved = cap(second, kClearOfKites);
       for (Vector& corner : moved) corner = corner + between;
-      if (are_separated(cap(first), moved) || are_separated(moved, cap(first))) return;
+      const std::array<Vector, 3> still = cap(first, kClearOfKites);
+      if (are_separated(still, moved) || are_separated(moved, still)) return;
       const double larger = std::max(first.reach, second.reach);
       if (first.reach == larger) shrink(first);
       if (second.reach == larger) shrink(second);
