@@ -308,22 +308,16 @@ std::int64_t rounded_to(int bits, std::int64_t base, double offset) {
   const std::int64_t step = std::int64_t{1} << bits;
   return (base + std::llround(offset) + step / 2) & -step;
 }
+LatticePoint rounded_to(int bits, const FinePoint& base, Vector offset) {
+  return {rounded_to(bits, base.floor.x, base.fraction.x + offset.x),
+          rounded_to(bits, base.floor.y, base.fraction.y + offset.y)};
+}
 
-/// The end of a kite's side on edge e: its number among the Steiner points (see Domain::foot) and
-/// its distance from the tip.
-struct KiteFoot {
-  std::int64_t foot;
-  double reach;
-};
-
-KiteFoot kite_foot(const Domain& whole, const Tip& tip, EdgeId e, Vector along, int bits) {
-  const FinePoint& a = whole.at(tip.a);
-  const bool x = whole.runs_in_x(e);
-  const std::int64_t base = x ? a.floor.x : a.floor.y;
-  const double fraction = x ? a.fraction.x : a.fraction.y;
-  const double slope = x ? along.x : along.y;
-  const std::int64_t foot = rounded_to(bits, base, fraction + slope * tip.reach);
-  return {foot, (static_cast<double>(foot - base) - fraction) / slope};
+/// Number of the Steiner point of edge e near base + offset, see Domain::foot.
+std::int64_t foot_near(const Domain& whole, EdgeId e, int bits, const FinePoint& base,
+                       Vector offset) {
+  const LatticePoint near = rounded_to(bits, base, offset);
+  return whole.runs_in_x(e) ? near.x : near.y;
 }
 
 Rational dot_at(const RationalPoint& at, const RationalPoint& a, const RationalPoint& b) {
@@ -340,22 +334,32 @@ bool is_usable(const RationalPoint& a, const PlacedKite& kite) {
          cross_at(a, kite.v, kite.q) > 0 && dot_at(kite.v, kite.p, kite.q) <= 0;
 }
 
+/// Only p is measured from the tip, q and v are from there: what is as small as the kite is wide
+/// is never the difference of numbers as large as it is long.
 PlacedKite place(const Domain& whole, const Tip& tip) {
   const int bits = std::max(0, std::ilogb(tip.side()) - kStepBits);
   const EdgeId incoming = whole.previous(tip.a);
-  const KiteFoot p = kite_foot(whole, tip, tip.a, tip.along_p, bits);
-  const KiteFoot q = kite_foot(whole, tip, incoming, tip.along_q, bits);
+  const std::int64_t p_foot = foot_near(whole, tip.a, bits, whole.at(tip.a), tip.p(1));
+  const FinePoint p = whole.foot_point(tip.a, p_foot);
+  const Vector sum = tip.along_p + tip.along_q;
+  const Vector middle = 1 / length(sum) * sum;
+  // q - p = 2 |ap| sin(angle / 2) across the bisector.
+  const double tangent = tip.side() / tip.reach;
+  const double cosine = 1 / std::sqrt(1 + tangent * tangent);
+  const Vector chord = 2 * tip.side() * cosine * turned_left(middle);
+  const std::int64_t q_foot = foot_near(whole, incoming, bits, p, chord);
+  // How much farther from the tip q came out than p.
+  const double excess = dot(whole.foot_point(incoming, q_foot) - p, middle) / cosine;
   // Rounding moves v by up to 0.71 steps: from a step short of the nearer foot it cannot pass the
   // perpendicular at either foot.
-  Tip short_of_feet = tip;
-  short_of_feet.reach = std::min(p.reach, q.reach) - std::ldexp(1.0, bits);
-  const Vector offset = whole.at(tip.a).fraction + short_of_feet.v(1);
-  const LatticePoint v{rounded_to(bits, whole.floor(tip.a).x, offset.x),
-                       rounded_to(bits, whole.floor(tip.a).y, offset.y)};
+  const double short_of_p = std::ldexp(1.0, bits) - std::min(0.0, excess);
+  const double height = tangent * (dot(p - whole.at(tip.a), tip.along_p) - short_of_p);
+  const LatticePoint v =
+      rounded_to(bits, p, height * turned_left(tip.along_p) - short_of_p * tip.along_p);
   const int exponent = whole.root().exponent;
-  PlacedKite kite{whole.foot_exact(tip.a, p.foot),
+  PlacedKite kite{whole.foot_exact(tip.a, p_foot),
                   {dyadic(v.x, exponent), dyadic(v.y, exponent)},
-                  whole.foot_exact(incoming, q.foot)};
+                  whole.foot_exact(incoming, q_foot)};
   // Only directions of tips so sharp that doubles cannot tell them can fail here.
   if (!is_usable(whole.vertices().exact(tip.a), kite))
     throw TreeBudgetExceeded{RefusalKind::kTooDeep, whole.floor(tip.a), whole.root().side_bits};

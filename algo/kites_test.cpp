@@ -181,7 +181,8 @@ Polygon triangle(double from_degrees, double tip_degrees, double p_length, doubl
 }
 
 TEST(CutKites, SharpTipsInAllDirections) {
-  for (const double tip : {89.99999, 60.0, 30.0, 10.0, 8.0, 1.0, 0.1, 0.01, 1e-4, 1e-6, 1e-8}) {
+  for (const double tip :
+       {89.99999, 60.0, 30.0, 10.0, 8.0, 1.0, 0.1, 0.01, 1e-4, 1e-6, 1e-8, 1e-10}) {
     for (const double from : {0.0, 17.0, 45.0, 90.0, 133.0, 179.99, 211.0, 270.0, 300.0}) {
       for (const double q_length : {1.0, 0.9, 0.01}) {
         const Polygon polygon = triangle(from, tip, 1, q_length);
