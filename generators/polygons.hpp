@@ -1,6 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Polygons with holes from recipes: families that are hard for a mesher in different ways.
+//
+// two-opt, space-partition and growth are 2-opt Moves, Space Partitioning and Steady Growth of
+// T. Auer and M. Held, Heuristics for the Generation of Random Polygons, CCCG 1996; CGAL's
+// random_polygon_2 is two-opt too. Here growth takes the points in the order of their distance from
+// the centre, which is one of the orders that Steady Growth allows. coast displaces midpoints after
+// A. Fournier, D. Fussell and L. Carpenter, Computer Rendering of Stochastic Models, CACM 25
+// (1982). koch is the curve of H. von Koch, Sur une courbe continue sans tangente, Arkiv for
+// Matematik 1 (1904). spiral is made like Figure 49 of the paper that this project implements. The
+// others are our own.
 
 #include <span>
 #include <string_view>
@@ -22,11 +31,13 @@ PolygonRecipe parse_polygon_recipe(std::string_view text);
 ///
 /// Guarantees: 1. the outer ring has exactly n vertices, counter-clockwise; each hole has as many
 /// as the family's parameters say, clockwise. 2. the polygon passes validate(). 3. The same recipe
-/// gives the same bytes on every machine: integers, and sums and products of doubles in a fixed
-/// order. 4. coordinates are multiples of 2^-20, the extent is between 1 and 4 (comb and
-/// spiral-band: their own). Errors: RecipeError where the recipe is not valid or its family cannot
-/// have that many vertices or holes. Complexity: O(n log n), of which the validation is the largest
-/// part.
+/// gives the same bytes on every machine: integers, and single operations on doubles in a fixed
+/// order. 4. coordinates are multiples of 2^-20, of magnitude 4 at most; comb, spiral-band,
+/// grid-aligned and grid-perturbed take more room where n needs it.
+/// Errors: RecipeError where the recipe is not valid, or its family cannot have that many vertices
+/// or holes or resolve them in multiples of 2^-20.
+/// Complexity: O(n log n) time, expected for the random families; two-opt, which is limited to
+/// 20,000 vertices, about O(n^2).
 Polygon generate_polygon(const PolygonRecipe& recipe);
 
 }  // namespace quadbound

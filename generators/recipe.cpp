@@ -47,7 +47,21 @@ void check_limits(const Recipe& recipe, const Parameter& parameter) {
                                   parameter.smallest, parameter.largest));
 }
 
+void check_size(const Recipe& recipe, const Sizes& sizes) {
+  if (recipe.n < sizes.smallest || recipe.n > sizes.largest)
+    throw RecipeError(
+        fmt::format("{}: n must be from {} to {}", to_text(recipe), sizes.smallest, sizes.largest));
+  if ((recipe.n - sizes.smallest) % sizes.step != 0)
+    throw RecipeError(fmt::format("{}: n must be {} more than a multiple of {}", to_text(recipe),
+                                  sizes.smallest % sizes.step, sizes.step));
+}
+
 }  // namespace
+
+std::uint64_t fitting(const Sizes& sizes, std::uint64_t wanted) {
+  const std::uint64_t n = std::clamp(wanted, sizes.smallest, sizes.largest);
+  return n - (n - sizes.smallest) % sizes.step;
+}
 
 std::string to_text(const Recipe& recipe) {
   std::string text = fmt::format("{}:n={},seed={}", recipe.family, recipe.n, recipe.seed);
@@ -67,8 +81,7 @@ const FamilyDescription& find_family(std::span<const FamilyDescription> families
 
 Recipe completed(Recipe recipe, std::span<const FamilyDescription> families) {
   const FamilyDescription& family = find_family(families, recipe.family);
-  if (recipe.n < 1 || recipe.n > kMaxRecipeSize)
-    throw RecipeError(fmt::format("{}: n must be from 1 to {}", to_text(recipe), kMaxRecipeSize));
+  check_size(recipe, family.sizes);
   for (const auto& [name, value] : recipe.parameters)
     if (std::ranges::find(family.parameters, name, &Parameter::name) == family.parameters.end())
       throw RecipeError(

@@ -36,14 +36,25 @@ struct Parameter {
   std::string_view meaning;
 };
 
+/// The most points or vertices a recipe may ask for.
+inline constexpr std::uint64_t kMaxRecipeSize = 100'000'000;
+
+/// What n may be: smallest, smallest + step, smallest + 2 step, ... but no more than largest.
+struct Sizes {
+  std::uint64_t smallest = 1;
+  std::uint64_t largest = kMaxRecipeSize;
+  std::uint64_t step = 1;
+};
+
 struct FamilyDescription {
   std::string_view name;
   std::string_view meaning;
   std::vector<Parameter> parameters;
+  Sizes sizes = {};
 };
 
-/// The most points or vertices a recipe may ask for.
-inline constexpr std::uint64_t kMaxRecipeSize = 100'000'000;
+/// The largest n of these sizes that is at most `wanted`; the smallest where there is none.
+std::uint64_t fitting(const Sizes& sizes, std::uint64_t wanted);
 
 /// "FAMILY:n=N,seed=SEED[,NAME=VALUE...]" with the parameters the recipe holds, in alphabetical
 /// order.
@@ -56,7 +67,7 @@ const FamilyDescription& find_family(std::span<const FamilyDescription> families
 /// The recipe with the defaults of its family written out.
 ///
 /// Guarantees: 1. every parameter of the family is there, within its limits; nothing else is.
-/// 2. 1 <= n <= kMaxRecipeSize. 3. completed(completed(r)) == completed(r).
+/// 2. n is one of the family's sizes. 3. completed(completed(r)) == completed(r).
 /// Errors: RecipeError for an unknown family or parameter, and for a value outside its limits.
 Recipe completed(Recipe recipe, std::span<const FamilyDescription> families);
 
