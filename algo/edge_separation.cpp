@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <optional>
 #include <span>
+#include <tuple>
 #include <utility>
 
 namespace quadbound {
@@ -152,11 +153,83 @@ class FaultFinder {
   std::vector<SeparationFault> faults_;
 };
 
+// --- gaps
+// ------------------------------------------------------------------------------------------
+
+double distance_to_edge(const Domain& domain, EdgeId edge, const FinePoint& point) {
+  const Vector d = domain.direction(edge);
+  const Vector to = point - domain.at(edge);
+  const double t = std::clamp(dot(d, to) / dot(d, d), 0.0, 1.0);
+  return length(to - t * d);
+}
+
+/// Two edges with too large leaves between them.
+struct Gap {
+  EdgeId edge;
+  EdgeId other;
+  int side_bits;  ///< of the smallest leaf at fault
+  double width;   ///< where it is widest at such a leaf
+};
+
+double width_at(const Domain& domain, const Quadtree& tree, Cell leaf, EdgeId edge, EdgeId other) {
+  const std::int64_t half = std::int64_t{1} << (tree.side_bits(leaf) - 1);
+  const LatticePoint corner = tree.corner(leaf);
+  const FinePoint centre = on_lattice({corner.x + half, corner.y + half});
+  return distance_to_edge(domain, edge, centre) + distance_to_edge(domain, other, centre);
+}
+
+/// Sorted by edge, each gap listed for both of its edges.
+std::vector<Gap> gaps_of(const Domain& domain, const Quadtree& tree,
+                         const std::vector<SeparationFault>& faults) {
+  std::vector<Gap> gaps;
+  for (const SeparationFault& fault : faults) {
+    const auto [e, f] = std::pair{fault.edge, fault.other};
+    if (e == f || domain.next(e) == f || domain.next(f) == e) continue;
+    const int side_bits = tree.side_bits(fault.split);
+    const double width = width_at(domain, tree, fault.split, e, f);
+    gaps.push_back({e, f, side_bits, width});
+    gaps.push_back({f, e, side_bits, width});
+  }
+  std::sort(gaps.begin(), gaps.end(), [](const Gap& a, const Gap& b) {
+    return std::tie(a.edge, a.other, a.side_bits, b.width) <
+           std::tie(b.edge, b.other, b.side_bits, a.width);
+  });
+  const auto same = [](const Gap& a, const Gap& b) {
+    return a.edge == b.edge && a.other == b.other;
+  };
+  gaps.erase(std::unique(gaps.begin(), gaps.end(), same), gaps.end());
+  return gaps;
+}
+
 }  // namespace
 
 std::vector<SeparationFault> separation_faults(const Domain& domain, const TreeMesh& tree_mesh,
                                                const CutQuads& cut_quads) {
   return FaultFinder(domain, tree_mesh, cut_quads).run();
+}
+
+std::vector<Cell> leaves_along_gaps(const Domain& domain, const TreeMesh& tree_mesh,
+                                    const CutQuads& cut_quads,
+                                    const std::vector<SeparationFault>& faults) {
+  const Quadtree& tree = tree_mesh.tree();
+  const std::vector<Gap> gaps = gaps_of(domain, tree, faults);
+  std::vector<Cell> leaves;
+  for (const Cut& cut : cut_quads.cuts()) {
+    const auto before = [](const Gap& gap, EdgeId edge) { return gap.edge < edge; };
+    auto gap = std::lower_bound(gaps.begin(), gaps.end(), cut.edge, before);
+    for (; gap != gaps.end() && gap->edge == cut.edge; ++gap) {
+      for (const VertexId v : tree_mesh.mesh().quads[cut.quad]) {
+        if (domain.side(gap->edge, tree_mesh.at(v)) < 0 &&
+            domain.side(gap->other, tree_mesh.at(v)) < 0)
+          continue;
+        const Cell leaf = tree_mesh.leaf_of(v);
+        if (tree.side_bits(leaf) >= gap->side_bits &&
+            width_at(domain, tree, leaf, gap->edge, gap->other) <= gap->width)
+          leaves.push_back(leaf);
+      }
+    }
+  }
+  return leaves;
 }
 
 }  // namespace quadbound

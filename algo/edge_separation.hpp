@@ -27,4 +27,15 @@ struct SeparationFault {
 std::vector<SeparationFault> separation_faults(const Domain& domain, const TreeMesh& tree_mesh,
                                                const CutQuads& cut_quads);
 
+/// Leaves along the gaps between the pairs of edges of some faults: those at quads that one edge of
+/// the pair cuts, as large as the leaf of a fault of the pair at least, where the gap is no wider
+/// than there.
+///
+/// Where a gap is one to three cells wide, equal cells separate its edges but cells of two sizes do
+/// not; without this, each round would split one more cell along the gap.
+/// Complexity: linear in the cuts, times the pairs that an edge is in.
+std::vector<Cell> leaves_along_gaps(const Domain& domain, const TreeMesh& tree_mesh,
+                                    const CutQuads& cut_quads,
+                                    const std::vector<SeparationFault>& faults);
+
 }  // namespace quadbound

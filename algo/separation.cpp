@@ -88,17 +88,17 @@ void Separation::refine_six_by_six() {
 /// does not depend on the order.
 void Separation::refine_five_by_five() {
   wants_grids_ = true;
-  // A later split may break a grid that was whole: ask all again until nothing changes.
-  for (std::size_t before = 0; before != tree_.blocks().size();) {
-    before = tree_.blocks().size();
-    grids_ = point_cells();
-    while (!grids_.empty()) {
-      const Cell cell = grids_.back();
-      grids_.pop_back();
-      const bool whole = make_five_by_five(cell);
-      if (!whole && tree_.is_leaf(cell)) split_and_follow(cell);
-      settle();
-    }
+  grids_ = point_cells();
+  make_grids();
+}
+
+/// A split that breaks a grid that was whole puts it back on the list: see suspect_grids.
+void Separation::make_grids() {
+  while (!grids_.empty()) {
+    const Cell cell = grids_.back();
+    grids_.pop_back();
+    if (!make_five_by_five(cell) && tree_.is_leaf(cell)) split_and_follow(cell);
+    settle();
   }
 }
 
@@ -142,6 +142,7 @@ void Separation::follow_changes() {
   for (std::size_t i = 0; i < changed_.size(); ++i) {
     const Cell parent = changed_[i];
     suspect_neighbours(parent);
+    if (wants_grids_) suspect_grids(parent);
     const BlockId block = tree_.content(parent);
     for (const Quadrant q : kQuadrants) {
       if (!tree_.has_point({block, q})) continue;
@@ -169,6 +170,23 @@ void Separation::suspect_neighbours(Cell cell) {
   tree_.for_extended_neighbours(cell, [this](int, int, Cell there) {
     if (tree_.has_point(there)) suspects_.push_back(there);
   });
+}
+
+/// Cells of points in whose 5x5 grid a cell is. All cells of a whole grid exist, so the way to its
+/// middle leads through them.
+void Separation::suspect_grids(Cell cell) {
+  for (int dx = -2; dx <= 2; ++dx) {
+    std::optional<Cell> middle = cell;
+    for (int i = 0; i < std::abs(dx) && middle; ++i)
+      middle = tree_.neighbour(*middle, dx > 0 ? kEast : kWest);
+    for (const Direction d : {kNorth, kSouth}) {
+      std::optional<Cell> there = middle;
+      for (int i = 0; i <= 2 && there; ++i) {
+        if (tree_.has_point(*there)) grids_.push_back(*there);
+        there = tree_.neighbour(*there, d);
+      }
+    }
+  }
 }
 
 /// Makes the 24 cells around a cell exist; whether all are inside the root, whole and empty.
@@ -203,7 +221,7 @@ void Separation::refine(const std::vector<Cell>& leaves) {
     if (tree_.is_leaf(cell)) split_and_follow(cell);
     settle();
   }
-  refine_five_by_five();
+  make_grids();
 }
 
 std::vector<Cell> Separation::cell_of_point() const {

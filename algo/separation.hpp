@@ -41,6 +41,8 @@ class Separation {
   void follow_changes();
   void split_beside(Cell parent, Quadrant q);
   void suspect_neighbours(Cell cell);
+  void suspect_grids(Cell cell);
+  void make_grids();
   bool make_five_by_five(Cell cell);
   std::optional<Cell> walk(Cell cell, int dx, int dy);
   std::optional<Cell> make_and_follow(Cell cell, Direction direction);
