@@ -195,10 +195,9 @@ PolygonMesh mesh_with_kites(const Polygon& polygon, const RootSquare& root, std:
       return result;
     }
     const auto inputs = inputs_of(cut);
-    for (const EdgeId site : std::get<std::vector<EdgeId>>(made)) {
-      \n ", std::atan2(cross(a,b),dot(a,b))*57.29577951);} cut[*inputs[site]] = true;}
-    }
+    for (const EdgeId site : std::get<std::vector<EdgeId>>(made)) cut[*inputs[site]] = true;
   }
+}
 
 }  // namespace
 
