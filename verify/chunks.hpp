@@ -15,7 +15,8 @@ class Threads {
   explicit Threads(unsigned count);
   [[nodiscard]] unsigned count() const { return count_; }
 
-  /// Calls work(i) for all i below count, in any order.
+  /// Calls work(i) for all i below count, in any order. Where one throws, others may be left out,
+  /// and the first exception is thrown again once all threads have ended.
   template <class Work>
   void for_each(std::size_t count, const Work& work) const {
     if (count_ == 1) {
