@@ -3,15 +3,21 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
 #include "algo/mesh_points.hpp"
+#include "algo/mesh_polygon.hpp"
 #include "cli/commands.hpp"
+#include "cli/mesh_statistics.hpp"
 #include "cli/progress.hpp"
 #include "model/files.hpp"
 #include "model/read_points.hpp"
+#include "model/read_polygon.hpp"
 #include "model/validate.hpp"
 #include "model/write_mesh.hpp"
 #include "verify/verify.hpp"
@@ -24,10 +30,11 @@ struct MeshOptions {
   std::string input;
   std::vector<std::string> outputs;
   std::string report;
+  std::string statistics;
   bool no_verify = false;
   bool quiet = false;
   unsigned threads = 1;
-  PointMeshOptions mesh;
+  PointMeshOptions mesh;  ///< the budget also for polygons
   PictureColour colour = PictureColour::kNone;
   bool dots = false;
   std::vector<double> window;
@@ -45,24 +52,23 @@ const std::map<std::string, PictureColour> kColours{{"none", PictureColour::kNon
                                                     {"construction", PictureColour::kConstruction},
                                                     {"level", PictureColour::kLevel}};
 
-WriteOptions write_options(const MeshOptions& options, const PointSet& points) {
+WriteOptions write_options(const MeshOptions& options, const std::vector<Point>& input) {
   WriteOptions write;
   write.picture.colour = options.colour;
-  if (options.dots) write.picture.points = points.points;
+  if (options.dots) write.picture.points = input;
   if (options.window.size() == 4)
     write.picture.window = {{options.window[0], options.window[1]},
                             {options.window[2], options.window[3]}};
   return write;
 }
 
-std::string summary(const PointMesh& made) {
-  const auto n = static_cast<double>(made.mesh.input_vertices);
-  const auto cells = static_cast<double>(made.mesh.cells);
-  const auto quads = static_cast<double>(made.mesh.quads.size());
-  return fmt::format(
-      "{} points, N = {} cells (N/n = {:.2f}), {} vertices, {} quads (quads/N = {:.3f})",
-      made.mesh.input_vertices, made.mesh.cells, cells / n, made.mesh.vertices.size(),
-      made.mesh.quads.size(), quads / cells);
+std::string summary(const Mesh& mesh, std::string_view of_what) {
+  const auto n = static_cast<double>(mesh.input_vertices);
+  const auto cells = static_cast<double>(mesh.cells);
+  const auto quads = static_cast<double>(mesh.quads.size());
+  return fmt::format("{} {}, N = {} cells (N/n = {:.2f}), {} vertices, {} quads (quads/N = {:.3f})",
+                     mesh.input_vertices, of_what, mesh.cells, cells / n, mesh.vertices.size(),
+                     mesh.quads.size(), quads / cells);
 }
 
 /// Whether every claim holds; says on standard error which do not.
@@ -74,48 +80,94 @@ bool proved(const Report& report) {
   return report.holds();
 }
 
+/// What was made of the input, before it is proved and written.
+struct Made {
+  std::variant<PointSet, Polygon> input;
+  Mesh mesh;
+  std::optional<PolygonCounters> counters;
+};
+
+Report judge(const Made& made, const VerifyOptions& verify) {
+  if (const auto* points = std::get_if<PointSet>(&made.input))
+    return verify_points(*points, made.mesh, verify);
+  return verify_polygon(std::get<Polygon>(made.input), made.mesh, verify);
+}
+
+std::vector<Point> input_points(const Made& made) {
+  if (const auto* points = std::get_if<PointSet>(&made.input)) return points->points;
+  std::vector<Point> result;
+  for (const Ring& ring : std::get<Polygon>(made.input).rings)
+    result.insert(result.end(), ring.begin(), ring.end());
+  return result;
+}
+
+std::nullopt_t refused(const MeshOptions& options, const Refusal& refusal) {
+  fmt::print(stderr, "quadbound: {}: {}\n", options.input, refusal.message);
+  return std::nullopt;
+}
+
+/// nullopt, with a line on standard error, where a budget ran out.
+std::optional<Made> make_point_mesh(const MeshOptions& options, Progress& progress) {
+  PointSet points = read_points(options.input);
+  validate(points);
+  progress.stage("building the quadtree and the quads");
+  PointMeshResult result = mesh_points(points, options.mesh);
+  if (const auto* refusal = std::get_if<Refusal>(&result)) return refused(options, *refusal);
+  return Made{std::move(points), std::get<PointMesh>(std::move(result)).mesh, std::nullopt};
+}
+
+std::optional<Made> make_polygon_mesh(const MeshOptions& options, Progress& progress) {
+  Polygon polygon = normalised(read_polygon(options.input));
+  progress.stage("meshing");
+  PolygonMeshResult result = mesh_polygon(polygon, {options.mesh.budget});
+  if (const auto* refusal = std::get_if<Refusal>(&result)) return refused(options, *refusal);
+  PolygonMesh& made = std::get<PolygonMesh>(result);
+  return Made{std::move(polygon), std::move(made.mesh), made.counters};
+}
+
+/// Whether the mesh is proved; writes the report that was asked for.
+bool prove(const Made& made, const MeshOptions& options) {
+  VerifyOptions verify;
+  verify.threads = options.threads;
+  const Report report = judge(made, verify);
+  if (!options.report.empty())
+    write_file(options.report, [&report](std::ostream& stream) { stream << to_json(report); });
+  if (proved(report)) return true;
+  fmt::print(stderr, "quadbound: nothing was written; --no-verify writes the mesh all the same\n");
+  return false;
+}
+
 ExitStatus mesh(const MeshOptions& options) {
-  if (!options.points)
-    throw CLI::ValidationError("--points",
-                               "is needed: this version meshes sets of points, not polygons");
   for (const std::string& path : options.outputs) output_format(path);  // refuse before the work
   Progress progress;
   progress.stage("reading");
-  const PointSet points = read_points(options.input);
-  validate(points);
-  progress.stage("building the quadtree and the quads");
-  const PointMeshResult result = mesh_points(points, options.mesh);
-  if (const auto* refusal = std::get_if<Refusal>(&result)) {
-    fmt::print(stderr, "quadbound: {}: {}\n", options.input, refusal->message);
-    return kBudgetRanOut;
-  }
-  const PointMesh& made = std::get<PointMesh>(result);
+  const std::optional<Made> made =
+      options.points ? make_point_mesh(options, progress) : make_polygon_mesh(options, progress);
+  if (!made) return kBudgetRanOut;
   if (!options.no_verify) {
     progress.stage("proving the mesh");
-    VerifyOptions verify;
-    verify.threads = options.threads;
-    const Report report = verify_points(points, made.mesh, verify);
-    if (!options.report.empty())
-      write_file(options.report, [&report](std::ostream& stream) { stream << to_json(report); });
-    if (!proved(report)) {
-      fmt::print(stderr,
-                 "quadbound: nothing was written; --no-verify writes the mesh all the same\n");
-      return kClaimFailed;
-    }
+    if (!prove(*made, options)) return kClaimFailed;
   }
   progress.stage("writing");
   for (const std::string& path : options.outputs)
-    write_mesh(path, made.mesh, write_options(options, points));
+    write_mesh(path, made->mesh, write_options(options, input_points(*made)));
+  if (!options.statistics.empty())
+    write_file(options.statistics, [&made](std::ostream& stream) {
+      stream << statistics_json(made->mesh, made->counters);
+    });
   if (!options.quiet)
-    fmt::print(stderr, "{}; {}\n", summary(made),
-               options.no_verify ? "not verified" : "thm-1 proved");
+    fmt::print(stderr, "{}; {}\n", summary(made->mesh, options.points ? "points" : "vertices"),
+               options.no_verify ? "not verified"
+               : options.points  ? "thm-1 proved"
+                                 : "thm-13 proved");
   return kGood;
 }
 
 constexpr const char* kFooter = R"(Examples:
+  quadbound mesh plate.geojson -o mesh.json -o mesh.svg
+  quadbound mesh lake.poly -o mesh.msh --report proof.json --statistics shape.json
   quadbound mesh --points points.csv -o mesh.json
   quadbound mesh --points points.csv -o mesh.vtu -o mesh.msh -o mesh.svg --colour min-angle
-  quadbound mesh --points points.csv --report proof.json
   quadbound mesh --points points.csv --warp paper   (ends with status 1: the paper's warping)
 
 Pictures: .svg .pdf .png; meshes: .json (exact) .vtu .msh .obj)";
@@ -134,21 +186,22 @@ void add_construction_options(CLI::App& command, PointMeshOptions& options) {
       .add_option("--grid", options.refinement,
                   "how the 5x5 grid around each point is made (Section 2.1)")
       ->transform(CLI::CheckedTransformer(kGrids))
-      ->option_text("6x6|5x5 (default 6x6)");
+      ->option_text("6x6|5x5 (default 6x6)")
+      ->needs("--points");
   command
       .add_option("--two-two", options.two_two,
                   "stitching two split cells without extra points (Fig. 8a)")
       ->transform(CLI::CheckedTransformer(kTwoTwo))
-      ->option_text("exact|paper (default exact)");
+      ->option_text("exact|paper (default exact)")
+      ->needs("--points");
   command.add_option("--warp", options.warping, "warping to the points (Section 2.4.3)")
       ->transform(CLI::CheckedTransformer(kWarpings))
-      ->option_text("aligned|paper (default aligned)");
+      ->option_text("aligned|paper (default aligned)")
+      ->needs("--points");
   command.add_option("--max-cells", options.budget.max_cells, "stop beyond so many quadtree cells")
       ->check(CLI::Range(std::uint64_t{1}, kMostCells))
       ->capture_default_str();
-  command
-      .add_option("--max-seconds", options.budget.max_seconds,
-                  "stop the tree beyond so many seconds")
+  command.add_option("--max-seconds", options.budget.max_seconds, "stop beyond so many seconds")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
 }
@@ -157,15 +210,22 @@ void add_construction_options(CLI::App& command, PointMeshOptions& options) {
 
 void add_mesh_command(CLI::App& app, Outcome& outcome) {
   auto options = std::make_shared<MeshOptions>();
-  CLI::App* command = app.add_subcommand("mesh", "mesh a point set and prove the mesh");
+  CLI::App* command =
+      app.add_subcommand("mesh", "mesh a polygon, or a point set, and prove the mesh");
   command->footer(kFooter);
-  command->add_flag("--points", options->points, "INPUT is a set of points (thm-1)");
-  command->add_option("INPUT", options->input, "points: .csv .node .xyz .txt")->required();
+  command->add_flag("--points", options->points,
+                    "INPUT is a set of points (thm-1), not a polygon (thm-13)");
+  command
+      ->add_option("INPUT", options->input,
+                   "polygon: .geojson .json .poly .wkt; points: .csv .node .xyz .txt")
+      ->required();
   command
       ->add_option("-o,--output", options->outputs,
                    "where to write, format by extension; may be repeated")
       ->allow_extra_args(false);
   command->add_option("--report", options->report, "write the judge's report as JSON");
+  command->add_option("--statistics", options->statistics,
+                      "write sizes, shapes, degrees and constructions as JSON");
   command->add_flag("--no-verify", options->no_verify, "do not prove the mesh before writing");
   command->add_option("--threads", options->threads, "threads of the proof, 0 for all cores")
       ->capture_default_str();
