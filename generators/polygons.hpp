@@ -8,8 +8,8 @@
 // the centre, which is one of the orders that Steady Growth allows. coast displaces midpoints after
 // A. Fournier, D. Fussell and L. Carpenter, Computer Rendering of Stochastic Models, CACM 25
 // (1982). koch is the curve of H. von Koch, Sur une courbe continue sans tangente, Arkiv for
-// Matematik 1 (1904). spiral is made like Figure 49 of the paper that this project implements. The
-// others are our own.
+// Matematik 1 (1904). obtuse-spiral is made like Figure 49 of the paper that this project
+// implements. The others are our own.
 
 #include <span>
 #include <string_view>
@@ -21,7 +21,8 @@ namespace quadbound {
 
 using PolygonRecipe = Recipe;
 
-/// The families that generate_polygon knows, with their parameters. All take "holes".
+/// The families that generate_polygon knows, with their parameters. All take "holes". No name is
+/// that of a family of point sets.
 std::span<const FamilyDescription> polygon_families();
 
 /// parse_recipe with the families of polygons.
@@ -32,8 +33,8 @@ PolygonRecipe parse_polygon_recipe(std::string_view text);
 /// Guarantees: 1. the outer ring has exactly n vertices, counter-clockwise; each hole has as many
 /// as the family's parameters say, clockwise. 2. the polygon passes validate(). 3. The same recipe
 /// gives the same bytes on every machine: integers, and single operations on doubles in a fixed
-/// order. 4. coordinates are multiples of 2^-20, of magnitude 4 at most; comb, spiral-band,
-/// grid-aligned and grid-perturbed take more room where n needs it.
+/// order. 4. coordinates are multiples of 2^-20, of magnitude 5 at most; comb, spiral-band,
+/// grid-aligned and near-grid take more room where n needs it.
 /// Errors: RecipeError where the recipe is not valid, or its family cannot have that many vertices
 /// or holes or resolve them in multiples of 2^-20.
 /// Complexity: O(n log n) time, expected for the random families; two-opt, which is limited to

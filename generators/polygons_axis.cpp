@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Families along an axis: x-monotone, orthogonal, grid-aligned, grid-perturbed, comb.
+// Families along an axis: x-monotone, orthogonal, grid-aligned, near-grid, comb.
 #include <algorithm>
 
 #include "generators/polygon_families.hpp"
@@ -53,7 +53,7 @@ LatticePolygon make_grid_aligned(PolygonMaker& maker) {
 
 /// Vertices and edges of a grid-aligned polygon are a grain apart at least where they do not meet:
 /// moves of up to a quarter, less than half of that along a diagonal, cannot make them meet.
-LatticePolygon make_grid_perturbed(PolygonMaker& maker) {
+LatticePolygon make_near_grid(PolygonMaker& maker) {
   const std::int64_t grain = kUnit >> maker.parameter("level");
   const std::int64_t largest = grain >> maker.parameter("amplitude");
   LatticePolygon polygon = columns(maker, grain);

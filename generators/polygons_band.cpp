@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bands wound around themselves: spiral-band, spiral.
+// Bands wound around themselves: spiral-band, obtuse-spiral.
 #include <array>
 #include <utility>
 
@@ -82,7 +82,7 @@ LatticeRing wound(const Winding& winding, bool two_on_nose) {
 
 /// Like the spiral of 33 edges of the paper's Figure 49. The tighter it starts, the sharper are the
 /// corners there: the hole in the middle grows until no angle is acute.
-LatticePolygon make_spiral(PolygonMaker& maker) {
+LatticePolygon make_obtuse_spiral(PolygonMaker& maker) {
   const bool odd = maker.n % 2 != 0;
   Winding winding{(maker.n - (odd ? 3 : 2)) / 2, maker.parameter("sides"), 1};
   LatticeRing ring = wound(winding, odd);

@@ -12,6 +12,7 @@
 #include <random>
 #include <set>
 
+#include "generators/points.hpp"
 #include "generators/unit_circle.hpp"
 #include "model/predicates.hpp"
 #include "model/validate.hpp"
@@ -112,10 +113,10 @@ TEST(Polygons, SameRecipeSameBytes) {
       {"x-monotone", 3116668169155423493U},
       {"orthogonal", 1980482992459918597U},
       {"grid-aligned", 7111514523584343301U},
-      {"grid-perturbed", 4367662271259127045U},
+      {"near-grid", 4367662271259127045U},
       {"comb", 16456722791077948677U},
       {"spiral-band", 17209289995265568037U},
-      {"spiral", 17049546896332729605U},
+      {"obtuse-spiral", 17049546896332729605U},
       {"collinear", 10561208049295863045U},
       {"slopes", 16355552201950529957U},
       {"two-opt", 15970807474156907781U},
@@ -136,14 +137,19 @@ TEST(Polygons, SameRecipeSameBytes) {
 }
 
 TEST(Polygons, SeedsMatterWhereThereIsChance) {
-  const std::set<std::string_view> fixed{"regular",     "gear",   "notch", "comb",
-                                         "spiral-band", "spiral", "koch",  "plate"};
+  const std::set<std::string_view> fixed{"regular",     "gear",          "notch", "comb",
+                                         "spiral-band", "obtuse-spiral", "koch",  "plate"};
   for (const FamilyDescription& family : polygon_families()) {
     const std::uint64_t n = fitting(family.sizes, 64);
     const bool same = hash(made(fmt::format("{}:n={},seed=1", family.name, n))) ==
                       hash(made(fmt::format("{}:n={},seed=2", family.name, n)));
     EXPECT_EQ(same, fixed.contains(family.name)) << family.name;
   }
+}
+
+TEST(Polygons, ARecipeTellsPolygonsFromPointSets) {
+  for (const FamilyDescription& family : polygon_families())
+    for (const FamilyDescription& points : point_families()) EXPECT_NE(family.name, points.name);
 }
 
 TEST(Polygons, WhatAFamilyCannotHaveIsRefused) {
@@ -164,8 +170,8 @@ TEST(Polygons, WhatAFamilyCannotHaveIsRefused) {
                              "collinear:n=7",
                              "collinear:n=200000",
                              "slopes:n=5",
-                             "spiral:n=7",
-                             "spiral:n=20,holes=10",
+                             "obtuse-spiral:n=7",
+                             "obtuse-spiral:n=20,holes=10",
                              "blob:n=4",
                              "clusters:n=12,clusters=60,holes=60,spread=3",
                              "needle:n=6,depth=4,holes=100",
@@ -208,8 +214,9 @@ double angle(const Point& before, const Point& at, const Point& after) {
 TEST(Polygons, BlobsAndSpiralsHaveNoAcuteAngle) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed)
     for (const char* recipe :
-         {"blob:n=9,waves=20", "blob:n=300,swing=90,waves=10", "blob:n=20000", "spiral:n=33",
-          "spiral:n=100,sides=12", "spiral:n=10001", "spiral:n=8", "spiral:n=60,sides=7"}) {
+         {"blob:n=9,waves=20", "blob:n=300,swing=90,waves=10", "blob:n=20000", "obtuse-spiral:n=33",
+          "obtuse-spiral:n=100,sides=12", "obtuse-spiral:n=10001", "obtuse-spiral:n=8",
+          "obtuse-spiral:n=60,sides=7"}) {
       const Polygon polygon = made(fmt::format("{},seed={}", recipe, seed));
       for_each_corner(polygon.rings[0], [&](const Point& a, const Point& b, const Point& c) {
         EXPECT_GE(angle(a, b, c), 90) << polygon.file;
@@ -281,7 +288,7 @@ TEST(Polygons, KochEdgesAreOfOneLengthAtFullDepth) {
 }
 
 TEST(Polygons, GridPerturbedStaysNearItsGrid) {
-  const Polygon polygon = made("grid-perturbed:n=100,seed=7,level=5,amplitude=6");
+  const Polygon polygon = made("near-grid:n=100,seed=7,level=5,amplitude=6");
   for (const Point& p : polygon.rings[0])
     for (const double value : {p.x, p.y})
       EXPECT_LE(std::abs(value - std::round(value * 32) / 32), std::ldexp(1.0, -11));
