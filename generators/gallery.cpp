@@ -23,7 +23,7 @@ constexpr Colour kInside{216, 228, 240};
 constexpr Colour kLine{20, 40, 80};
 
 /// What shows a family best; others are drawn with 60 vertices and 3 holes.
-constexpr std::array<std::string_view, 19> kExamples{"star:n=30,seed=4,holes=3",
+constexpr std::array<std::string_view, 20> kExamples{"star:n=30,seed=4,holes=3",
                                                      "regular:n=9,seed=1,holes=3",
                                                      "gear:n=48,seed=1,holes=3",
                                                      "annulus:n=14,seed=3",
@@ -41,7 +41,8 @@ constexpr std::array<std::string_view, 19> kExamples{"star:n=30,seed=4,holes=3",
                                                      "plate:n=4,seed=1,holes=7,sides=16",
                                                      "needle:n=12,seed=2,holes=9,depth=6",
                                                      "clusters:n=12,seed=1,spread=3",
-                                                     "slopes:n=44,seed=1,holes=3"};
+                                                     "slopes:n=44,seed=1,holes=3",
+                                                     "near-grid:n=40,seed=3,holes=3,amplitude=2"};
 
 std::string example(const FamilyDescription& family) {
   const auto found = std::ranges::find_if(kExamples, [&](std::string_view recipe) {
