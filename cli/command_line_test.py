@@ -228,6 +228,44 @@ class Writing(CommandLineTest):
         self.fail("never caught the program while it was writing")
 
 
+class Generating(CommandLineTest):
+    def rings(self, name):
+        feature = json.loads((self.folder / name).read_text())
+        return feature.get("geometry", feature)["coordinates"]
+
+    def families(self):
+        text = self.run_it("generate", "--help").stdout_text.split("\nPolygons")[1]
+        return re.findall(r"^  ([a-z-]+) +\S", text.split("Examples:")[0], re.MULTILINE)
+
+    def test_holes_and_count(self):
+        self.run_it("generate", "growth", "--n", 50, "--holes", 2, "--seed", 8, "--count", 3, "-o",
+                    "p.geojson")
+        self.assertEqual(self.names(), ["p-10.geojson", "p-8.geojson", "p-9.geojson"])
+        for name in self.names():
+            self.assertEqual([len(ring) for ring in self.rings(name)], [51, 7, 7])
+        self.run_it("generate", "growth:n=50,seed=9,holes=2", "-o", "alone.geojson")
+        self.assertEqual(self.rings("alone.geojson"), self.rings("p-9.geojson"))
+
+    def test_gallery_in_every_format_of_pictures(self):
+        for name, start in (("g.svg", b"<?xml"), ("g.pdf", b"%PDF"), ("g.png", b"\x89PNG")):
+            self.run_it("generate", "--gallery", name)
+            self.assertTrue((self.folder / name).read_bytes().startswith(start))
+        text = (self.folder / "g.svg").read_text()
+        self.assertIn("koch", self.families())
+        for family in self.families():
+            self.assertIn(f">{family}<", text)
+
+    def test_what_cannot_be_made_is_refused(self):
+        self.assertIn("FAMILY", self.one_line("generate"))
+        self.assertIn(".svg", self.one_line("generate", "--gallery", "g.jpg"))
+        self.assertIn("--count", self.one_line("generate", "star", "--count", 2))
+        self.assertIn("multiple of 4", self.one_line("generate", "gear", "--n", 13))
+        self.assertIn("holes", self.one_line("generate", "uniform", "--holes", 1))
+        self.one_line("generate", "star", "--gallery", "g.svg")
+        self.assertIn("2^-20", self.one_line("generate", "sharp:n=20000,depth=16"))
+        self.assertEqual(self.names(), [])
+
+
 class Judging(CommandLineTest):
     def meshed(self, recipe=RECIPE):
         points = self.points(recipe)
