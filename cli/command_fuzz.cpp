@@ -167,7 +167,7 @@ CampaignTally run_campaign(const FuzzOptions& options) {
 std::string angle_text(const std::optional<Corner<Rational>>& corner) {
   if (!corner) return "-";
   constexpr std::size_t kLongest = 20;
-  const std::string exact = arctangent_text(*corner);
+  std::string exact = arctangent_text(*corner);
   if (exact.size() <= kLongest) return exact;
   return fmt::format("{:.6f} degrees", JudgedCorner{{}, corner->cross, corner->dot}.degrees());
 }

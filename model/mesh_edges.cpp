@@ -156,6 +156,7 @@ std::vector<std::vector<VertexId>> boundary_rings(const Mesh& mesh) {
     return a.first != b.first ? a.first > b.first : a.second < b.second;
   });
   std::vector<Ring> sorted;
+  sorted.reserve(rings.size());
   for (auto& [size, ring] : rings) sorted.push_back(std::move(ring));
   return sorted;
 }
