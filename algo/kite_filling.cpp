@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <utility>
@@ -44,18 +45,18 @@ FinePoint fine_point(const RationalPoint& point, int exponent) {
   return {{x, y}, {x_fraction, y_fraction}};
 }
 
-/// Which quads have a vertex on a side of a kite.
-class QuadsAtSides {
+/// Which quads some vertices belong to.
+class QuadsAt {
  public:
-  QuadsAtSides(const Domain& domain, const DomainMesh& made)
-      : slot_(made.mesh.vertices.size(), kNone) {
-    for (const Kite& kite : domain.kites) {
-      for (const EdgeId i : {kite.q, kite.v, kite.p}) add(made.vertex_of[i]);
-      for (const EdgeId side : {kite.q, kite.v})
-        for (const VertexId v : made.steiner[side]) add(v);
+  QuadsAt(const Mesh& mesh, std::span<const VertexId> vertices)
+      : slot_(mesh.vertices.size(), kNone) {
+    for (const VertexId v : vertices) {
+      if (slot_[v] != kNone) continue;
+      slot_[v] = static_cast<std::uint32_t>(quads_.size());
+      quads_.emplace_back();
     }
-    for (std::uint32_t id = 0; id < made.mesh.quads.size(); ++id) {
-      for (const VertexId v : made.mesh.quads[id])
+    for (std::uint32_t id = 0; id < mesh.quads.size(); ++id) {
+      for (const VertexId v : mesh.quads[id])
         if (slot_[v] != kNone) quads_[slot_[v]].push_back(id);
     }
   }
@@ -66,14 +67,16 @@ class QuadsAtSides {
 
  private:
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-  void add(VertexId vertex) {
-    slot_[vertex] = static_cast<std::uint32_t>(quads_.size());
-    quads_.emplace_back();
-  }
 
   std::vector<std::uint32_t> slot_;
   std::vector<std::vector<std::uint32_t>> quads_;
 };
+
+void append_sides(const DomainMesh& made, const Kite& kite, std::vector<VertexId>& vertices) {
+  for (const EdgeId i : {kite.q, kite.v, kite.p}) vertices.push_back(made.vertex_of[i]);
+  for (const EdgeId side : {kite.q, kite.v})
+    vertices.insert(vertices.end(), made.steiner[side].begin(), made.steiner[side].end());
+}
 
 /// New vertices and quads, and moves of old vertices, that are tried before the mesh changes.
 class Draft {
@@ -86,7 +89,8 @@ class Draft {
   }
   void move(VertexId vertex, Place place, std::span<const std::uint32_t> quads) {
     moved_.emplace_back(vertex, std::move(place));
-    changed_.insert(changed_.end(), quads.begin(), quads.end());
+    for (const std::uint32_t id : quads)
+      if (std::find(changed_.begin(), changed_.end(), id) == changed_.end()) changed_.push_back(id);
   }
   void add_quad(const Quad& quad, StripConstruction construction) {
     quads_.emplace_back(quad, construction);
@@ -143,7 +147,7 @@ class Draft {
 
   const Mesh& mesh_;
   std::vector<Place> added_;
-  std::vector<std::pair<VertexId, Place>> moved_;  ///< four at most
+  std::vector<std::pair<VertexId, Place>> moved_;  ///< a few
   std::vector<std::uint32_t> changed_;
   std::vector<std::pair<Quad, StripConstruction>> quads_;
 };
@@ -193,7 +197,7 @@ Quad oriented(const Side& side, const Quad& quad) {
 /// Searches a place for v_k, which would have an angle of 180 degrees, and for p.
 class EndSearch {
  public:
-  EndSearch(const Draft& draft, const Mesh& mesh, const QuadsAtSides& quads, const Side& side,
+  EndSearch(const Draft& draft, const Mesh& mesh, const QuadsAt& quads, const Side& side,
             const Quad& last, VertexId tip)
       : line_(side.line),
         moving_(side.chain[side.steps()]),
@@ -336,13 +340,148 @@ class EndSearch {
   std::vector<LocalQuad> quads_;
 };
 
+/// Moves v_k, p and the vertices of the inside around them in turn, each to where the worst of its
+/// own quads is best. Needed where a vertex of B lies so close to v_k that v_k cannot move alone.
+class Relaxation {
+ public:
+  Relaxation(const Draft& draft, const Mesh& mesh, const QuadsAt& quads,
+             const std::vector<bool>& on_boundary, const Side& side, const Quad& last, VertexId tip)
+      : origin_(draft.at(side.chain[side.steps()])), end_(side.end()) {
+    const VertexId moving = side.chain[side.steps()];
+    const Vector to_tip = draft.between(end_, tip);
+    to_tip_ = 1 / length(to_tip) * to_tip;
+    scale_ = length(draft.between(moving, end_));
+    free_ = {moving, end_};
+    for (const VertexId center : {moving, end_})
+      for (const std::uint32_t id : quads.at(center))
+        for (const VertexId v : mesh.quads[id])
+          if (!on_boundary[v] && std::find(free_.begin(), free_.end(), v) == free_.end())
+            free_.push_back(v);
+    add(draft, last);
+    std::vector<std::uint32_t> ids;
+    for (const VertexId v : free_) ids.insert(ids.end(), quads.at(v).begin(), quads.at(v).end());
+    std::sort(ids.begin(), ids.end());
+    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+    for (const std::uint32_t id : ids) add(draft, mesh.quads[id]);
+  }
+
+  /// Whether it comes to an end with all quads within the bounds.
+  bool run() {
+    const std::vector<Vector> before = at_;
+    // The smaller is the least that brings v_k within the bound, see EndSearch.
+    for (const double slide : {0.15, 0.25}) {
+      at_ = before;
+      position(end_) = position(end_) + slide * scale_ * to_tip_;
+      for (int sweep = 0; sweep < kMostSweeps && worst() < kGoodSlack; ++sweep)
+        for (const VertexId v : free_) improve(v);
+      if (worst() >= kSmallestSlack) return true;
+    }
+    return false;
+  }
+
+  [[nodiscard]] std::span<const VertexId> free() const { return free_; }
+  [[nodiscard]] Vector offset(VertexId vertex) const { return at_[index(vertex)]; }
+  [[nodiscard]] const FinePoint& origin() const { return origin_; }
+
+ private:
+  static constexpr int kMostSweeps = 60;
+
+  void add(const Draft& draft, const Quad& quad) {
+    for (const VertexId v : quad) {
+      if (std::find(ids_.begin(), ids_.end(), v) != ids_.end()) continue;
+      ids_.push_back(v);
+      at_.push_back(draft.at(v) - origin_);
+    }
+    std::array<std::size_t, 4> local{};
+    for (std::size_t k = 0; k < 4; ++k) local[k] = index(quad[k]);
+    quads_.push_back(local);
+  }
+  [[nodiscard]] std::size_t index(VertexId vertex) const {
+    return static_cast<std::size_t>(std::find(ids_.begin(), ids_.end(), vertex) - ids_.begin());
+  }
+  Vector& position(VertexId vertex) { return at_[index(vertex)]; }
+
+  [[nodiscard]] double slack(const std::array<std::size_t, 4>& quad) const {
+    const double value =
+        quad_slack(std::array<Vector, 4>{at_[quad[0]], at_[quad[1]], at_[quad[2]], at_[quad[3]]});
+    return value >= -1 ? value : -1;  // -1 where vertices coincide
+  }
+  [[nodiscard]] double worst() const {
+    double result = 1;
+    for (const auto& quad : quads_) result = std::min(result, slack(quad));
+    return result;
+  }
+  [[nodiscard]] double worst_at(std::size_t local) const {
+    double result = 1;
+    for (const auto& quad : quads_)
+      if (std::find(quad.begin(), quad.end(), local) != quad.end())
+        result = std::min(result, slack(quad));
+    return result;
+  }
+  /// The shortest edge at a vertex: what it may move by.
+  [[nodiscard]] double reach(std::size_t local) const {
+    double result = std::numeric_limits<double>::infinity();
+    for (const auto& quad : quads_) {
+      for (std::size_t k = 0; k < 4; ++k) {
+        if (quad[k] != local) continue;
+        result = std::min({result, length(at_[quad[(k + 1) & 3U]] - at_[local]),
+                           length(at_[quad[(k + 3) & 3U]] - at_[local])});
+      }
+    }
+    return result;
+  }
+
+  void improve(VertexId vertex) {
+    const std::size_t local = index(vertex);
+    double best = worst_at(local);
+    const double largest = reach(local) / 2;
+    constexpr double kFinest = 0x1p-8;
+    for (double step = largest; step > kFinest * largest;)
+      if (!step_once(local, vertex == end_, step, best)) step /= 2;
+  }
+
+  bool step_once(std::size_t local, bool on_line, double step, double& best) {
+    const Vector from = at_[local];
+    Vector found = from;
+    for (int direction = 0; direction < 9; ++direction) {
+      const Vector unit = on_line ? (direction / 3 - 1.0) * to_tip_
+                                  : Vector{direction % 3 - 1.0, direction / 3 - 1.0};
+      at_[local] = from + step * unit;
+      const double value = worst_at(local);
+      if (value > best + kSmallestSlack) {
+        best = value;
+        found = at_[local];
+      }
+    }
+    at_[local] = found;
+    return found.x != from.x || found.y != from.y;
+  }
+
+  FinePoint origin_;
+  VertexId end_;
+  Vector to_tip_;
+  double scale_ = 0;
+  std::vector<VertexId> free_;  ///< v_k, p, and others
+  std::vector<VertexId> ids_;
+  std::vector<Vector> at_;
+  std::vector<std::array<std::size_t, 4>> quads_;
+};
+
+/// What is known of the mesh around kites.
+struct Surroundings {
+  QuadsAt quads;
+  /// By vertex of the mesh; empty where vertices of the inside must stay. Otherwise `quads` has
+  /// those of all quads at v_k and p.
+  std::vector<bool> on_boundary;
+};
+
 /// Fills one kite.
 class KiteFiller {
  public:
-  KiteFiller(const Domain& domain, DomainMesh& made, const QuadsAtSides& quads, const Kite& kite,
+  KiteFiller(const Domain& domain, DomainMesh& made, const Surroundings& around, const Kite& kite,
              KiteCounters& counters)
       : mesh_(made.mesh),
-        quads_(quads),
+        around_(around),
         counters_(counters),
         draft_(made.mesh),
         tip_(draft_.add({fine_point(kite.a, domain.root().exponent), kite.a})),
@@ -386,7 +525,7 @@ class KiteFiller {
     if (mesh_.level.empty()) return level;
     for (const Side* side : {&p_, &q_})
       for (const VertexId v : side->chain)
-        for (const std::uint32_t id : quads_.at(v)) level = std::max(level, mesh_.level[id]);
+        for (const std::uint32_t id : around_.quads.at(v)) level = std::max(level, mesh_.level[id]);
     return level;
   }
 
@@ -444,14 +583,29 @@ class KiteFiller {
 
   bool settle_end(const Side& side, const Quad& last) {
     const VertexId moving = side.chain[side.steps()];
-    const EndSearch search(draft_, mesh_, quads_, side, last, tip_);
+    const EndSearch search(draft_, mesh_, around_.quads, side, last, tip_);
     EndSearch::Result result = search.along_edges();
     const bool is_good = result.slack >= kGoodSlack;
     if (!is_good) result = search.in_plane(result);
-    if (!(result.slack >= kSmallestSlack)) return false;
+    if (!(result.slack >= kSmallestSlack)) return !around_.on_boundary.empty() && relax(side, last);
     ++(is_good ? counters_.moved_along_edge : counters_.moved_in_plane);
-    draft_.move(moving, on_lattice_place(result.moving), quads_.at(moving));
-    if (result.foot) draft_.move(side.end(), side.line.place(*result.foot), quads_.at(side.end()));
+    draft_.move(moving, on_lattice_place(result.moving), around_.quads.at(moving));
+    if (result.foot)
+      draft_.move(side.end(), side.line.place(*result.foot), around_.quads.at(side.end()));
+    return true;
+  }
+
+  bool relax(const Side& side, const Quad& last) {
+    Relaxation relaxation(draft_, mesh_, around_.quads, around_.on_boundary, side, last, tip_);
+    if (!relaxation.run()) return false;
+    ++counters_.moved_with_neighbours;
+    for (const VertexId v : relaxation.free()) {
+      const Vector offset = relaxation.offset(v);
+      const Place place =
+          v == side.end() ? side.line.place(side.line.foot_near(relaxation.origin(), offset))
+                          : on_lattice_place(nearest_lattice_point(relaxation.origin(), offset));
+      draft_.move(v, place, around_.quads.at(v));
+    }
     return true;
   }
 
@@ -492,7 +646,7 @@ class KiteFiller {
   }
 
   Mesh& mesh_;
-  const QuadsAtSides& quads_;
+  const Surroundings& around_;
   KiteCounters& counters_;
   Draft draft_;
   VertexId tip_;
@@ -501,15 +655,57 @@ class KiteFiller {
   int exponent_;
 };
 
+Surroundings sides_of(const Domain& domain, const DomainMesh& made) {
+  std::vector<VertexId> vertices;
+  for (const Kite& kite : domain.kites) append_sides(made, kite, vertices);
+  return {QuadsAt(made.mesh, vertices), {}};
+}
+
+/// With the vertices of the quads at v_k and p.
+Surroundings wide_surroundings(const Domain& domain, const DomainMesh& made, const QuadsAt& quads,
+                               const std::vector<std::size_t>& kites) {
+  std::vector<VertexId> vertices;
+  for (const std::size_t i : kites) {
+    const Kite& kite = domain.kites[i];
+    append_sides(made, kite, vertices);
+    std::vector<VertexId> centres{made.vertex_of[kite.p], made.vertex_of[kite.q]};
+    if (!made.steiner[kite.v].empty()) centres.push_back(made.steiner[kite.v].back());
+    if (!made.steiner[kite.q].empty()) centres.push_back(made.steiner[kite.q].front());
+    for (const VertexId centre : centres) {
+      for (const std::uint32_t id : quads.at(centre)) {
+        const Quad& quad = made.mesh.quads[id];
+        vertices.insert(vertices.end(), quad.begin(), quad.end());
+      }
+    }
+  }
+  std::vector<bool> on_boundary(made.mesh.vertices.size(), false);
+  for (const VertexId v : made.vertex_of) on_boundary[v] = true;
+  for (const std::vector<VertexId>& on_edge : made.steiner)
+    for (const VertexId v : on_edge) on_boundary[v] = true;
+  return {QuadsAt(made.mesh, vertices), std::move(on_boundary)};
+}
+
+/// Returns those of the kites that fail.
+std::vector<std::size_t> fill(const Domain& domain, DomainMesh& made, const Surroundings& around,
+                              const std::vector<std::size_t>& kites, KiteCounters& counters) {
+  std::vector<std::size_t> failed;
+  for (const std::size_t i : kites)
+    if (!KiteFiller(domain, made, around, domain.kites[i], counters).fill()) failed.push_back(i);
+  return failed;
+}
+
 }  // namespace
 
 KiteFilling fill_kites(const Domain& domain, DomainMesh& made) {
   KiteFilling filling;
-  if (domain.kites.empty()) return filling;
-  const QuadsAtSides quads(domain, made);
-  for (std::size_t i = 0; i < domain.kites.size(); ++i)
-    if (!KiteFiller(domain, made, quads, domain.kites[i], filling.counters).fill())
-      filling.failed.push_back(i);
+  filling.failed.resize(domain.kites.size());
+  std::iota(filling.failed.begin(), filling.failed.end(), std::size_t{0});
+  if (filling.failed.empty()) return filling;
+  const Surroundings sides = sides_of(domain, made);
+  filling.failed = fill(domain, made, sides, filling.failed, filling.counters);
+  if (filling.failed.empty()) return filling;
+  const Surroundings wide = wide_surroundings(domain, made, sides.quads, filling.failed);
+  filling.failed = fill(domain, made, wide, filling.failed, filling.counters);
   return filling;
 }
 

@@ -20,6 +20,8 @@ struct KiteCounters {
   std::uint64_t moved_along_edge = 0;
   /// v_k moved in the plane, and p along the polygon.
   std::uint64_t moved_in_plane = 0;
+  /// both, and vertices of B's inside around them.
+  std::uint64_t moved_with_neighbours = 0;
 };
 
 struct KiteFilling {
@@ -33,12 +35,12 @@ struct KiteFilling {
 /// where it was. New vertices on the polygon are exactly on its edges, all others on the lattice.
 /// 2. The angles of every quad that is new or changed are within thm-13's interval by exact
 /// arithmetic, the input angle at a kite's tip excepted. 3. Vertices of B move only at kites that
-/// are not in `failed`: p and q along their edges of the polygon, and the Steiner points next to
-/// them on the kite's sides. 4. construction and level, where known, are kept in step.
-/// Requires: `made` is a mesh of the domain with angles in thm-13's interval.
-/// A kite fails where no place is found for v_k and p; it always has one, but for rounding, where
-/// the edges of B at p make angles of arctan(1/2) or more with both its neighbours on the boundary,
-/// and the quads at v_k leave room.
+/// are not in `failed`: p and q along their edges of the polygon, the Steiner points next to them
+/// on the kite's sides, and, where that is not enough, vertices of the inside next to those.
+/// 4. construction and level, where known, are kept in step.
+/// Requires: `made` is a mesh of the domain with angles in thm-13's interval. For v_k and p to find
+/// a place, edges of B at p should leave arctan(1/2) or more to its two neighbours on the boundary;
+/// a kite where the search finds none fails.
 /// Complexity: linear in the mesh, and in the Steiner points on the kites' sides.
 KiteFilling fill_kites(const Domain& domain, DomainMesh& made);
 

@@ -262,6 +262,7 @@ void expect_filled(Band& band, KiteCounters& total) {
   total.stepped_sides += filling.counters.stepped_sides;
   total.moved_along_edge += filling.counters.moved_along_edge;
   total.moved_in_plane += filling.counters.moved_in_plane;
+  total.moved_with_neighbours += filling.counters.moved_with_neighbours;
 }
 
 TEST(FillKites, AllTipsSidesAndCorners) {
@@ -294,7 +295,8 @@ TEST(FillKites, AllTipsSidesAndCorners) {
   EXPECT_GT(total.plain_sides, 0U);
   EXPECT_GT(total.moved_along_edge, 0U);
   EXPECT_GT(total.moved_in_plane, 0U);
-  EXPECT_EQ(total.moved_along_edge + total.moved_in_plane, total.stepped_sides);
+  EXPECT_EQ(total.moved_along_edge + total.moved_in_plane + total.moved_with_neighbours,
+            total.stepped_sides);
 }
 
 TEST(FillKites, UnequalEdgesAndDisorder) {
@@ -314,6 +316,41 @@ TEST(FillKites, UnequalEdgesAndDisorder) {
   }
   RecordProperty("sound", static_cast<int>(sound));
   EXPECT_GT(sound, 100U);
+}
+
+TEST(FillKites, AVertexOfBCloseToTheSide) {
+  for (const double closeness : {0.01, 0.001}) {
+    Band band({33, 40}, {3, 45}, {1, 60}, 0, 1);
+    Mesh& mesh = band.made.mesh;
+    // The quads at p and at v_k, in the order in which they were added.
+    const Quad corner = mesh.quads[0];
+    const Quad last = mesh.quads[4];
+    const Quad before_last = mesh.quads[3];
+    const Kite kite = band.domain.kites.front();
+    const FinePoint p = band.domain.at(kite.p);
+    const Vector up = 0.25 * (band.domain.at(kite.v) - p);
+    const Vector out = -1.0 * turned_left(up);
+    const auto put = [&](VertexId vertex, double x, double y) {
+      mesh.vertices.move_to(vertex, nearest_lattice_point(p, x * out + y * up));
+    };
+    // v_k at (0, 1) cannot leave the side, p cannot come nearer to the tip: the quad beside it has
+    // an angle of 168 degrees that would grow.
+    put(last[2], closeness, 1);
+    put(last[1], 0.5, 0.5);
+    put(before_last[2], 0.5, 1.5);
+    put(corner[2], 0.92, 0.77);
+    ASSERT_TRUE(band.is_sound());
+    const Mesh before = mesh;
+    const KiteFilling filling = fill_kites(band.domain, band.made);
+    ASSERT_TRUE(filling.failed.empty());
+    EXPECT_EQ(filling.counters.moved_with_neighbours, 1U);
+    const VertexId tip = static_cast<VertexId>(before.vertices.size());
+    for (const Quad& quad : mesh.quads) EXPECT_TRUE(is_within(mesh.vertices, quad, tip));
+    for (const VertexId v : band.made.vertex_of) {
+      if (v == band.made.vertex_of[kite.p]) continue;
+      EXPECT_EQ(mesh.vertices.exact(v), before.vertices.exact(v));
+    }
+  }
 }
 
 TEST(FillKites, AKiteThatFailsLeavesTheMeshAsItWas) {
