@@ -55,13 +55,17 @@ std::int64_t square_start(Range range, std::int64_t side) {
   return (range.low - (side - range.length()) / 2) & -(side / 16);
 }
 
+std::int64_t shifted_by(std::int64_t part, std::int64_t side) {
+  return part == 0 ? 0 : (side / (16 * part)) & -std::max<std::int64_t>(1, side >> 26);
+}
+
 /// Any 56 bits of the largest coordinate tell where the root square may be; the margin of 4 bits
 /// keeps the sums below inside the lattice.
 constexpr int kCoarseBits = 56;
 
 }  // namespace
 
-PlacedPoints place_root(const std::vector<Point>& points) {
+PlacedPoints place_root(const std::vector<Point>& points, RootShift shift) {
   const int magnitude = magnitude_exponent(points);
   const int coarse = magnitude - kCoarseBits;
   const auto [x, y] = bounding_box(floors_on(points, coarse, nullptr));
@@ -72,7 +76,8 @@ PlacedPoints place_root(const std::vector<Point>& points) {
           ? std::int64_t{1} << kCoarseBits
           : std::max<std::int64_t>(16, static_cast<std::int64_t>(std::bit_ceil(
                                            static_cast<std::uint64_t>(extent + (extent + 1) / 2))));
-  const LatticePoint corner{square_start(x, side), square_start(y, side)};
+  const LatticePoint corner{square_start(x, side) - shifted_by(shift.x, side),
+                            square_start(y, side) - shifted_by(shift.y, side)};
   const std::int64_t farthest = std::max({-corner.x, -corner.y, corner.x + side, corner.y + side});
   // The finest lattice on which the farthest corner is at most 2^60.
   const int spare =

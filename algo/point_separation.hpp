@@ -35,6 +35,8 @@ class Deadline {
   explicit Deadline(double seconds);
   /// Throws: TreeBudgetExceeded (kTooMuchTime) naming `where` once the time is over.
   void check(LatticePoint where, int level);
+  /// The same, always looking at the clock.
+  void check_now(LatticePoint where, int level) const;
 
  private:
   std::chrono::steady_clock::time_point end_;
@@ -48,6 +50,13 @@ struct PlacedPoints {
   std::vector<bool> rounded;         ///< where rounding cut something off
 };
 
+/// Moves the root square to the left and down by 1/x and 1/y of a sixteenth of its side, rounded
+/// down to 2^-26 of the side; 0 for none.
+struct RootShift {
+  std::int64_t x = 0;
+  std::int64_t y = 0;
+};
+
 /// Chooses the root square.
 ///
 /// Guarantees: 1. the side is a power of two and the corner a multiple of a sixteenth of it, so
@@ -57,8 +66,9 @@ struct PlacedPoints {
 /// 3. scaling the points by a power of two (with no overflow or underflow) scales the square by it;
 /// translating them by a multiple of a sixteenth of the side translates the square by it as long as
 /// the points keep all their bits.
+/// With a shift, 1 holds for multiples of 2^-26, and 2 for a twelfth.
 /// Requires: at least one point; all finite.
-PlacedPoints place_root(const std::vector<Point>& points);
+PlacedPoints place_root(const std::vector<Point>& points, RootShift shift = {});
 
 struct SeparatedTree {
   Quadtree tree;

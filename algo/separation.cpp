@@ -236,7 +236,10 @@ Deadline::Deadline(double seconds)
                std::chrono::duration<double>(std::min(seconds, 1e9)))) {}
 
 void Deadline::check(LatticePoint where, int level) {
-  if ((++calls_ & 0x3FFU) != 0) return;
+  if ((++calls_ & 0x3FFU) == 0) check_now(where, level);
+}
+
+void Deadline::check_now(LatticePoint where, int level) const {
   if (std::chrono::steady_clock::now() > end_)
     throw TreeBudgetExceeded{RefusalKind::kTooMuchTime, where, level};
 }

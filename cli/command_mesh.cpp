@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <charconv>
+#include <cmath>
 #include <map>
 #include <memory>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -15,6 +18,7 @@
 #include "cli/commands.hpp"
 #include "cli/mesh_statistics.hpp"
 #include "cli/progress.hpp"
+#include "model/errors.hpp"
 #include "model/files.hpp"
 #include "model/read_points.hpp"
 #include "model/read_polygon.hpp"
@@ -35,6 +39,9 @@ struct MeshOptions {
   bool quiet = false;
   unsigned threads = 1;
   PointMeshOptions mesh;  ///< the budget also for polygons
+  Sizing sizing;
+  std::vector<std::string> refine_near;
+  std::string size_field;
   PictureColour colour = PictureColour::kNone;
   bool dots = false;
   std::vector<double> window;
@@ -106,6 +113,60 @@ std::nullopt_t refused(const MeshOptions& options, const Refusal& refusal) {
   return std::nullopt;
 }
 
+/// Cells grow by this part of the distance from what they are refined near: neighbours differ by a
+/// factor of two at most anyway.
+constexpr double kGrowth = 0.5;
+
+/// From X,Y,SIZE or X0,Y0,X1,Y1,SIZE.
+SizeSource size_source(const std::vector<double>& numbers) {
+  const bool is_point = numbers.size() == 3;
+  const Point a{numbers[0], numbers[1]};
+  return {a, is_point ? a : Point{numbers[2], numbers[3]}, numbers.back(), kGrowth};
+}
+
+/// Finite numbers separated by commas.
+std::optional<std::vector<double>> parse_numbers(std::string_view text) {
+  std::vector<double> numbers;
+  for (;;) {
+    const std::size_t comma = text.find(',');
+    const std::string_view word = text.substr(0, comma);
+    double value = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (error != std::errc{} || end != word.data() + word.size() || !std::isfinite(value))
+      return std::nullopt;
+    numbers.push_back(value);
+    if (comma == std::string_view::npos) return numbers;
+    text.remove_prefix(comma + 1);
+  }
+}
+
+/// Errors: InputError naming the file and the line.
+std::vector<SizeSource> read_size_field(const std::string& path) {
+  std::istringstream lines(read_file(path));
+  std::vector<SizeSource> sources;
+  std::string line;
+  for (int number = 1; std::getline(lines, line); ++number) {
+    if (!line.empty() && line.back() == '\r') line.pop_back();
+    if (line.empty() || line.front() == '#') continue;
+    const auto numbers = parse_numbers(line);
+    if (!numbers || numbers->size() != 3 || !(numbers->back() > 0))
+      throw InputError({path, std::nullopt, std::nullopt},
+                       fmt::format("line {}: X,Y,SIZE with a positive size is expected", number));
+    sources.push_back(size_source(*numbers));
+  }
+  return sources;
+}
+
+Sizing sizing_of(const MeshOptions& options) {
+  Sizing sizing = options.sizing;
+  for (const std::string& text : options.refine_near)
+    sizing.sources.push_back(size_source(*parse_numbers(text)));
+  if (!options.size_field.empty())
+    for (const SizeSource& source : read_size_field(options.size_field))
+      sizing.sources.push_back(source);
+  return sizing;
+}
+
 /// nullopt, with a line on standard error, where a budget ran out.
 std::optional<Made> make_point_mesh(const MeshOptions& options, Progress& progress) {
   PointSet points = read_points(options.input);
@@ -119,7 +180,7 @@ std::optional<Made> make_point_mesh(const MeshOptions& options, Progress& progre
 std::optional<Made> make_polygon_mesh(const MeshOptions& options, Progress& progress) {
   Polygon polygon = normalised(read_polygon(options.input));
   progress.stage("meshing");
-  PolygonMeshResult result = mesh_polygon(polygon, {options.mesh.budget});
+  PolygonMeshResult result = mesh_polygon(polygon, {options.mesh.budget, sizing_of(options)});
   if (const auto* refusal = std::get_if<Refusal>(&result)) return refused(options, *refusal);
   PolygonMesh& made = std::get<PolygonMesh>(result);
   return Made{std::move(polygon), std::move(made.mesh), made.counters};
@@ -206,6 +267,43 @@ void add_construction_options(CLI::App& command, PointMeshOptions& options) {
       ->capture_default_str();
 }
 
+/// Numbers separated by commas; CLI11's own lists would swallow the options' next values.
+CLI::Validator numbers_with_size() {
+  return CLI::Validator(
+      [](std::string& text) -> std::string {
+        const auto numbers = parse_numbers(text);
+        if (!numbers || (numbers->size() != 3 && numbers->size() != 5) || !(numbers->back() > 0))
+          return "X,Y,SIZE or X0,Y0,X1,Y1,SIZE with a positive size is expected";
+        return {};
+      },
+      "X,Y,SIZE|X0,Y0,X1,Y1,SIZE");
+}
+
+void add_sizing_options(CLI::App& command, MeshOptions& options) {
+  command
+      .add_option("--max-size", options.sizing.largest,
+                  "no quadtree cell inside is wider than this")
+      ->check(CLI::PositiveNumber);
+  command
+      .add_option("--refine-near", options.refine_near,
+                  "cells of at most SIZE at a point or a segment, growing with half the distance; "
+                  "may be repeated")
+      ->check(numbers_with_size());
+  command.add_option("--size-field", options.size_field,
+                     "file with lines X,Y,SIZE, each as with --refine-near");
+  command
+      .add_option("--boundary-size", options.sizing.boundary_size,
+                  "no wider than this at the boundary")
+      ->check(CLI::PositiveNumber);
+  command
+      .add_option("--boundary-growth", options.sizing.boundary_growth,
+                  "and this part of the distance to it more inside")
+      ->check(CLI::NonNegativeNumber)
+      ->needs("--boundary-size");
+  for (const char* name : {"--max-size", "--refine-near", "--size-field", "--boundary-size"})
+    command.get_option(name)->excludes("--points");
+}
+
 }  // namespace
 
 void add_mesh_command(CLI::App& app, Outcome& outcome) {
@@ -231,6 +329,7 @@ void add_mesh_command(CLI::App& app, Outcome& outcome) {
       ->capture_default_str();
   command->add_flag("-q,--quiet", options->quiet, "no summary");
   add_construction_options(*command, options->mesh);
+  add_sizing_options(*command, *options);
   add_picture_options(*command, *options);
   command->callback([options, &outcome] { outcome.status = mesh(*options); });
 }

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "algo/domain_mesher.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "algo/corner_alignment.hpp"
+#include "algo/edge_separation.hpp"
+#include "algo/strip_assembly.hpp"
+
+namespace quadbound {
+namespace {
+
+/// How often the cells at an acute vertex are split before it is given a kite: refinement there
+/// only scales what is seen from the vertex.
+constexpr int kPatience = 3;
+
+/// Rounds with dead ends before another root square is tried: if the place of a vertex in its cell
+/// repeats from level to level, so does the dead end.
+constexpr int kDeadRounds = 10;
+
+PlacedPoints placed_vertices(const Domain& domain) {
+  PlacedPoints placed;
+  placed.root = domain.root();
+  for (EdgeId v = 0; v < domain.size(); ++v) {
+    placed.floors.push_back(domain.floor(v));
+    placed.rounded.push_back(domain.rounded(v));
+  }
+  return placed;
+}
+
+/// The vertex that two edges share, if it is acute.
+std::optional<EdgeId> acute_between(const Domain& domain, EdgeId e, EdgeId f) {
+  if (domain.next(e) == f && domain.is_acute(f)) return f;
+  if (domain.next(f) == e && domain.is_acute(e)) return e;
+  return std::nullopt;
+}
+
+/// One of the smallest leaves: what asked for so many cells is there.
+TreeBudgetExceeded at_smallest_cell(const Quadtree& tree, RefusalKind kind) {
+  const auto deepest =
+      std::max_element(tree.blocks().begin(), tree.blocks().end(),
+                       [](const auto& a, const auto& b) { return a.level < b.level; });
+  return {kind, deepest->corner, deepest->level + 1};
+}
+
+}  // namespace
+
+DomainMesher::DomainMesher(const Domain& domain, const SizeField& sizes, const Budget& budget,
+                           bool is_last_root, PolygonCounters& counters)
+    : domain_(domain),
+      sizes_(sizes),
+      deadline_(budget.max_seconds),
+      separation_(placed_vertices(domain), budget),
+      is_last_root_(is_last_root),
+      counters_(counters) {}
+
+std::variant<DomainMesh, NeedsKites, NeedsOtherRoot> DomainMesher::run() {
+  try {
+    return run_rounds();
+  } catch (const TreeBudgetExceeded& exceeded) {
+    if (exceeded.kind == RefusalKind::kTooDeep) throw;
+    throw at_smallest_cell(separation_.tree(), exceeded.kind);
+  }
+}
+
+std::variant<DomainMesh, NeedsKites, NeedsOtherRoot> DomainMesher::run_rounds() {
+  separation_.apply_conditions();
+  separation_.refine_five_by_five();
+  counters_.cells_before = separation_.tree().leaf_count();
+  for (;;) {
+    ++counters_.rounds;
+    counters_.quadtree = {};
+    counters_.insertion = {};
+    std::optional<DomainMesh> made = round();
+    if (made) return std::move(*made);
+    std::vector<EdgeId> hopeless = lose_patience();
+    if (!hopeless.empty()) return NeedsKites{std::move(hopeless)};
+    if (dead_rounds_ > kDeadRounds && !is_last_root_) return NeedsOtherRoot{};
+    separation_.refine(to_split_);
+  }
+}
+
+std::optional<DomainMesh> DomainMesher::round() {
+  to_split_.clear();
+  check_time();
+  TreeMesh tree_mesh(domain_, separation_, counters_.quadtree);
+  check_time();
+  const CutQuads cut_quads(domain_, tree_mesh);
+  if (!is_separated(tree_mesh, cut_quads) || !is_fine_enough(tree_mesh, cut_quads))
+    return std::nullopt;
+  const KeptQuads kept = keep_quads(tree_mesh, cut_quads);
+  check_time();
+  if (!kept.pinched.empty()) {
+    split_around(tree_mesh, kept.pinched);
+    return std::nullopt;
+  }
+  if (!has_one_alpha_for_each_ring(tree_mesh, cut_quads, kept)) return std::nullopt;
+  align_with_corners(domain_, tree_mesh, cut_quads, kept, counters_.insertion);
+  std::vector<Strip> strips;
+  if (!insert(tree_mesh, cut_quads, kept, strips)) return std::nullopt;
+  counters_.kept_quads =
+      static_cast<std::uint64_t>(std::count(kept.is_kept.begin(), kept.is_kept.end(), true));
+  DomainMesh made = assemble(domain_, tree_mesh, kept, strips);
+  if (!fill(made, tree_mesh)) return std::nullopt;
+  return made;
+}
+
+bool DomainMesher::is_separated(const TreeMesh& tree_mesh, const CutQuads& cut_quads) {
+  const std::vector<SeparationFault> faults = separation_faults(domain_, tree_mesh, cut_quads);
+  if (faults.empty()) return true;
+  for (const SeparationFault& fault : faults) {
+    to_split_.push_back(fault.split);
+    const auto acute = acute_between(domain_, fault.edge, fault.other);
+    if (acute) troubled_.push_back(*acute);
+  }
+  const std::vector<Cell> gaps = leaves_along_gaps(domain_, tree_mesh, cut_quads, faults);
+  to_split_.insert(to_split_.end(), gaps.begin(), gaps.end());
+  counters_.separation_splits += to_split_.size();
+  return false;
+}
+
+/// Leaves with their centre inside the domain are no wider than the sizing says.
+bool DomainMesher::is_fine_enough(const TreeMesh& tree_mesh, const CutQuads& cut_quads) {
+  if (sizes_.is_free()) return true;
+  const Quadtree& tree = separation_.tree();
+  const double unit = std::ldexp(1.0, domain_.root().exponent);
+  for (BlockId block = 0; block < tree.blocks().size(); ++block) {
+    for (const Quadrant q : kQuadrants) {
+      const Cell leaf{block, q};
+      if (!tree.is_leaf(leaf)) continue;
+      const VertexId centre = tree_mesh.centre(leaf);
+      if (cut_quads.where(centre) == Where::kOutside) continue;
+      const LatticePoint at = tree_mesh.at(centre);
+      const Point place{static_cast<double>(at.x) * unit, static_cast<double>(at.y) * unit};
+      if (std::ldexp(unit, tree.side_bits(leaf)) > sizes_.size_at(place)) to_split_.push_back(leaf);
+    }
+  }
+  counters_.size_splits += to_split_.size();
+  return to_split_.empty();
+}
+
+/// Where a ring has none, or two, the leaves of its vertices are split.
+bool DomainMesher::has_one_alpha_for_each_ring(const TreeMesh& tree_mesh, const CutQuads& cut_quads,
+                                               const KeptQuads& kept) {
+  std::vector<std::size_t> alphas(domain_.ring_count());
+  for (const std::vector<VertexId>& alpha : kept.alphas) {
+    for (const VertexId v : alpha) {
+      const auto above = cut_quads.above(v);
+      if (above.empty()) continue;
+      ++alphas[domain_.ring(above.front().edge)];
+      break;
+    }
+  }
+  for (EdgeId site = 0; site < domain_.size(); ++site)
+    if (alphas[domain_.ring(site)] != 1) to_split_.push_back(tree_mesh.cell_of(site));
+  return to_split_.empty();
+}
+
+bool DomainMesher::insert(const TreeMesh& tree_mesh, const CutQuads& cut_quads,
+                          const KeptQuads& kept, std::vector<Strip>& strips) {
+  for (const std::vector<VertexId>& alpha : kept.alphas) {
+    check_time();
+    auto made = insert_edges(domain_, tree_mesh, cut_quads, alpha, counters_.insertion);
+    if (auto* strip = std::get_if<Strip>(&made)) {
+      strips.push_back(std::move(*strip));
+      continue;
+    }
+    const DeadEnd& dead = std::get<DeadEnd>(made);
+    split_around(tree_mesh, dead.near);
+    for (const VertexId v : dead.near) blame_acute(tree_mesh, cut_quads, v);
+  }
+  if (to_split_.empty()) return true;
+  ++dead_rounds_;
+  return false;
+}
+
+/// Section 4. Where a kite cannot be filled, the cells at its corners are split.
+bool DomainMesher::fill(DomainMesh& made, const TreeMesh& tree_mesh) {
+  const KiteFilling filling = fill_kites(domain_, made);
+  counters_.kite_filling = filling.counters;
+  for (const std::size_t failed : filling.failed) {
+    const Kite& kite = domain_.kites[failed];
+    for (const EdgeId site : {kite.p, kite.v, kite.q}) {
+      to_split_.push_back(tree_mesh.cell_of(site));
+      ++counters_.kite_splits;
+    }
+  }
+  if (to_split_.empty()) return true;
+  ++dead_rounds_;
+  return false;
+}
+
+/// Acute vertices whose edges run below a vertex of a dead end.
+void DomainMesher::blame_acute(const TreeMesh& tree_mesh, const CutQuads& cut_quads,
+                               VertexId vertex) {
+  const EdgeId site = tree_mesh.site_near(vertex);
+  if (site != TreeMesh::kNoSite && domain_.is_acute(site)) troubled_.push_back(site);
+  for (const Above& above : cut_quads.above(vertex)) {
+    for (const Above& other : cut_quads.above(vertex)) {
+      const auto acute = acute_between(domain_, above.edge, other.edge);
+      if (acute) troubled_.push_back(*acute);
+    }
+  }
+}
+
+/// Counts the rounds in which each acute vertex made trouble. The v of a kite is never acute.
+std::vector<EdgeId> DomainMesher::lose_patience() {
+  std::sort(troubled_.begin(), troubled_.end());
+  troubled_.erase(std::unique(troubled_.begin(), troubled_.end()), troubled_.end());
+  std::vector<EdgeId> hopeless;
+  trouble_.resize(domain_.size());
+  for (const EdgeId site : troubled_)
+    if (++trouble_[site] >= kPatience) hopeless.push_back(site);
+  troubled_.clear();
+  return hopeless;
+}
+
+/// Splits the largest of the leaves of some vertices.
+void DomainMesher::split_around(const TreeMesh& tree_mesh, const std::vector<VertexId>& vertices) {
+  int largest = 0;
+  for (const VertexId v : vertices)
+    largest = std::max(largest, tree_mesh.tree().side_bits(tree_mesh.leaf_of(v)));
+  for (const VertexId v : vertices) {
+    const Cell leaf = tree_mesh.leaf_of(v);
+    if (tree_mesh.tree().side_bits(leaf) != largest) continue;
+    to_split_.push_back(leaf);
+    ++counters_.dead_end_splits;
+  }
+}
+
+void DomainMesher::check_time() { deadline_.check_now(domain_.root().corner, 0); }
+
+}  // namespace quadbound

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// Sections 3 and 4 on one domain and one root square: rounds of separation and insertion on a tree
+// that grows until both succeed.
+
+#include <cstdint>
+#include <variant>
+#include <vector>
+
+#include "algo/counters.hpp"
+#include "algo/cut_quads.hpp"
+#include "algo/domain.hpp"
+#include "algo/domain_mesh.hpp"
+#include "algo/edge_insertion.hpp"
+#include "algo/kept_quads.hpp"
+#include "algo/kite_filling.hpp"
+#include "algo/separation.hpp"
+#include "algo/sizing.hpp"
+#include "algo/tree_mesh.hpp"
+
+namespace quadbound {
+
+/// What Sections 3 and 4 did, beyond the counters of Section 2.
+struct PolygonCounters {
+  Counters quadtree;                    ///< of the last round
+  std::uint64_t cells_before = 0;       ///< leaves before edge separation
+  std::uint64_t rounds = 0;             ///< of all attempts
+  std::uint64_t separation_splits = 0;  ///< leaves that edge separation asked to split
+  std::uint64_t size_splits = 0;        ///< leaves that were too large for the sizing
+  std::uint64_t dead_end_splits = 0;    ///< leaves split where no piece led on
+  std::uint64_t kite_splits = 0;        ///< leaves split where a kite could not be filled
+  std::uint64_t restarts = 0;           ///< attempts given up to cut more kites
+  std::uint64_t other_roots = 0;        ///< root squares given up for dead ends
+  std::uint64_t kites = 0;
+  std::uint64_t kept_quads = 0;
+  KiteCounters kite_filling;
+  InsertionCounters insertion;
+};
+
+/// Acute vertices of a domain that need a kite.
+struct NeedsKites {
+  std::vector<EdgeId> sites;
+};
+/// The same dead ends come back at every level: another root square may do better.
+struct NeedsOtherRoot {};
+
+class DomainMesher {
+ public:
+  /// `is_last_root`: never ask for another one. All arguments but the budget must outlive it.
+  DomainMesher(const Domain& domain, const SizeField& sizes, const Budget& budget,
+               bool is_last_root, PolygonCounters& counters);
+
+  /// Guarantees: 1. every quad of the mesh has thm-13's angles, but for whole input angles and the
+  /// rounding that kSmallestSlack allows for. Throws: TreeBudgetExceeded, with the place of the
+  /// smallest cell where the cells ran out.
+  std::variant<DomainMesh, NeedsKites, NeedsOtherRoot> run();
+
+ private:
+  std::variant<DomainMesh, NeedsKites, NeedsOtherRoot> run_rounds();
+  /// Empty where cells were put on to_split_.
+  std::optional<DomainMesh> round();
+  bool is_separated(const TreeMesh& tree_mesh, const CutQuads& cut_quads);
+  bool is_fine_enough(const TreeMesh& tree_mesh, const CutQuads& cut_quads);
+  bool has_one_alpha_for_each_ring(const TreeMesh& tree_mesh, const CutQuads& cut_quads,
+                                   const KeptQuads& kept);
+  bool insert(const TreeMesh& tree_mesh, const CutQuads& cut_quads, const KeptQuads& kept,
+              std::vector<Strip>& strips);
+  bool fill(DomainMesh& made, const TreeMesh& tree_mesh);
+  void split_around(const TreeMesh& tree_mesh, const std::vector<VertexId>& vertices);
+  void blame_acute(const TreeMesh& tree_mesh, const CutQuads& cut_quads, VertexId vertex);
+  std::vector<EdgeId> lose_patience();
+  void check_time();
+
+  const Domain& domain_;
+  const SizeField& sizes_;
+  Deadline deadline_;
+  Separation separation_;
+  bool is_last_root_;
+  PolygonCounters& counters_;
+  std::vector<Cell> to_split_;
+  int dead_rounds_ = 0;
+  std::vector<EdgeId> troubled_;  ///< acute vertices, this round
+  std::vector<int> trouble_;      ///< rounds of it, by vertex of the domain
+};
+
+}  // namespace quadbound
