@@ -320,8 +320,10 @@ class EndSearch {
     const Move from = here;
     bool improved = false;
     for (int direction = 0; direction < 27; ++direction) {
-      const Move there{from.moving + step * Vector{direction % 3 - 1.0, direction / 3 % 3 - 1.0},
-                       from.slide + step * (direction / 9 - 1.0)};
+      const int y = direction / 3 % 3;
+      const int slide = direction / 9;
+      const Move there{from.moving + step * Vector{direction % 3 - 1.0, y - 1.0},
+                       from.slide + step * (slide - 1.0)};
       if (improve(best, evaluate(there))) {
         here = there;
         improved = true;
@@ -444,8 +446,8 @@ class Relaxation {
     const Vector from = at_[local];
     Vector found = from;
     for (int direction = 0; direction < 9; ++direction) {
-      const Vector unit = on_line ? (direction / 3 - 1.0) * to_tip_
-                                  : Vector{direction % 3 - 1.0, direction / 3 - 1.0};
+      const int y = direction / 3;
+      const Vector unit = on_line ? (y - 1.0) * to_tip_ : Vector{direction % 3 - 1.0, y - 1.0};
       at_[local] = from + step * unit;
       const double value = worst_at(local);
       if (value > best + kSmallestSlack) {
