@@ -3,34 +3,11 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
+#include <utility>
+
+#include "algo/edge_cells.hpp"
 
 namespace quadbound {
-namespace {
-
-/// Whether an edge may meet a cell grown by a quarter of its side, which is how far outside a
-/// mirrored extra point lies. Lemma 2: edges of Q lie in the cells of their two ends, so every quad
-/// that an edge cuts has a vertex in one of these cells.
-bool may_meet(const Domain& domain, EdgeId edge, LatticePoint corner, int side_bits) {
-  const LatticePoint a = domain.floor(edge);
-  const LatticePoint b = domain.floor(domain.next(edge));
-  const std::int64_t side = std::int64_t{1} << side_bits;
-  const std::int64_t grown = side / 4 + 1;
-  if (std::max(a.x, b.x) < corner.x - grown || std::min(a.x, b.x) > corner.x + side + grown)
-    return false;
-  if (std::max(a.y, b.y) < corner.y - grown || std::min(a.y, b.y) > corner.y + side + grown)
-    return false;
-  const Vector d = domain.direction(edge);
-  const Vector to_centre = on_lattice({corner.x + side / 2, corner.y + side / 2}) - domain.at(edge);
-  const double reach = 0.75 * static_cast<double>(side) + 2;
-  const double size = std::abs(d.x) + std::abs(d.y);
-  // 2^-48 is more than the rounding of the cross product.
-  return std::abs(cross(d, to_centre)) <=
-         size * (reach + 0x1p-48 * (std::abs(to_centre.x) + std::abs(to_centre.y)));
-}
-
-}  // namespace
-
 CutQuads::CutQuads(const Domain& domain, const TreeMesh& tree_mesh)
     : domain_(domain),
       tree_mesh_(tree_mesh),
@@ -49,43 +26,25 @@ CutQuads::CutQuads(const Domain& domain, const TreeMesh& tree_mesh)
 
 void CutQuads::find_candidates() {
   last_edge_.assign(is_cut_.size(), 0xFFFF'FFFFU);
-  edges_.resize(domain_.size());
-  std::iota(edges_.begin(), edges_.end(), EdgeId{0});
-  descend(0, 0);
+  for_leaves_with_edges(
+      domain_, tree_mesh_.tree(),
+      [this](Cell leaf, std::span<const EdgeId> edges) { add_candidates(leaf, edges); });
   last_edge_ = {};
   std::sort(candidates_.begin(), candidates_.end());
   candidates_.erase(std::unique(candidates_.begin(), candidates_.end()), candidates_.end());
 }
 
-/// The edges that may meet the block are those from `first` to the top of the stack.
-void CutQuads::descend(BlockId block, std::size_t first) {
-  const Quadtree& tree = tree_mesh_.tree();
-  const std::size_t end = edges_.size();
-  for (const Quadrant q : kQuadrants) {
-    const Cell cell{block, q};
-    const LatticePoint corner = tree.corner(cell);
-    for (std::size_t i = first; i < end; ++i)
-      if (may_meet(domain_, edges_[i], corner, tree.side_bits(cell))) edges_.push_back(edges_[i]);
-    if (edges_.size() > end) {
-      if (tree.is_leaf(cell)) {
-        add_candidates(cell, end);
-      } else {
-        descend(tree.content(cell), end);
-      }
-    }
-    edges_.resize(end);
-  }
-}
-
-void CutQuads::add_candidates(Cell leaf, std::size_t first) {
+/// Lemma 2: edges of Q lie in the cells of their two ends, so every quad that an edge cuts has a
+/// vertex in a leaf that the edge meets.
+void CutQuads::add_candidates(Cell leaf, std::span<const EdgeId> edges) {
   vertices_.clear();
   tree_mesh_.append_vertices_of(leaf, vertices_);
-  for (std::size_t i = first; i < edges_.size(); ++i) {
+  for (const EdgeId edge : edges) {
     for (const VertexId v : vertices_) {
       for (const QuadId quad : tree_mesh_.quads_at(v)) {
-        if (last_edge_[quad] == edges_[i]) continue;
-        last_edge_[quad] = edges_[i];
-        candidates_.push_back(std::uint64_t{quad} << 32 | edges_[i]);
+        if (last_edge_[quad] == edge) continue;
+        last_edge_[quad] = edge;
+        candidates_.push_back(std::uint64_t{quad} << 32 | edge);
       }
     }
   }

@@ -47,8 +47,7 @@ class CutQuads {
 
  private:
   void find_candidates();
-  void descend(BlockId block, std::size_t first);
-  void add_candidates(Cell leaf, std::size_t first);
+  void add_candidates(Cell leaf, std::span<const EdgeId> edges);
   void judge(QuadId quad, EdgeId edge);
   void flood();
   void flood_from(VertexId vertex);
@@ -64,7 +63,6 @@ class CutQuads {
   std::vector<Above> above_;
 
   // scratch
-  std::vector<EdgeId> edges_;              ///< stack of the edges that meet a cell
   std::vector<EdgeId> last_edge_;          ///< by quad: the edge it was last paired with
   std::vector<std::uint64_t> candidates_;  ///< quad << 32 | edge
   std::vector<VertexId> vertices_;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "algo/corner_alignment.hpp"
+#include "algo/edge_cells.hpp"
 #include "algo/edge_separation.hpp"
 #include "algo/strip_assembly.hpp"
 
@@ -50,12 +51,14 @@ TreeBudgetExceeded at_smallest_cell(const Quadtree& tree, RefusalKind kind) {
 }  // namespace
 
 DomainMesher::DomainMesher(const Domain& domain, const SizeField& sizes, const Budget& budget,
-                           bool is_last_root, PolygonCounters& counters)
+                           bool is_last_root, std::vector<Split>& history,
+                           PolygonCounters& counters)
     : domain_(domain),
       sizes_(sizes),
       deadline_(budget.max_seconds),
       separation_(placed_vertices(domain), budget),
       is_last_root_(is_last_root),
+      history_(history),
       counters_(counters) {}
 
 std::variant<DomainMesh, NeedsKites, NeedsOtherRoot> DomainMesher::run() {
@@ -71,6 +74,8 @@ std::variant<DomainMesh, NeedsKites, NeedsOtherRoot> DomainMesher::run_rounds() 
   separation_.apply_conditions();
   separation_.refine_five_by_five();
   counters_.cells_before = separation_.tree().leaf_count();
+  repeat_history();
+  separate_cells();
   for (;;) {
     ++counters_.rounds;
     counters_.quadtree = {};
@@ -81,6 +86,24 @@ std::variant<DomainMesh, NeedsKites, NeedsOtherRoot> DomainMesher::run_rounds() 
     if (!hopeless.empty()) return NeedsKites{std::move(hopeless)};
     if (dead_rounds_ > kDeadRounds && !is_last_root_) return NeedsOtherRoot{};
     separation_.refine(to_split_);
+  }
+}
+
+void DomainMesher::repeat_history() {
+  for (const Split& split : history_) {
+    const Cell leaf = separation_.tree().leaf_at(split.corner);
+    if (separation_.tree().side_bits(leaf) == split.side_bits) separation_.refine({leaf});
+  }
+}
+
+/// Separation as far as the tree alone tells.
+void DomainMesher::separate_cells() {
+  for (;;) {
+    check_time();
+    const std::vector<Cell> large = leaves_too_large(domain_, separation_.tree());
+    if (large.empty()) return;
+    counters_.separation_splits += large.size();
+    separation_.refine(large);
   }
 }
 
@@ -116,9 +139,12 @@ bool DomainMesher::is_separated(const TreeMesh& tree_mesh, const CutQuads& cut_q
     to_split_.push_back(fault.split);
     const auto acute = acute_between(domain_, fault.edge, fault.other);
     if (acute) troubled_.push_back(*acute);
+    if (!acute) remember(fault.split);
   }
-  const std::vector<Cell> gaps = leaves_along_gaps(domain_, tree_mesh, cut_quads, faults);
-  to_split_.insert(to_split_.end(), gaps.begin(), gaps.end());
+  for (const Cell leaf : leaves_along_gaps(domain_, tree_mesh, cut_quads, faults)) {
+    to_split_.push_back(leaf);
+    remember(leaf);
+  }
   counters_.separation_splits += to_split_.size();
   return false;
 }
@@ -230,6 +256,10 @@ void DomainMesher::split_around(const TreeMesh& tree_mesh, const std::vector<Ver
     to_split_.push_back(leaf);
     ++counters_.dead_end_splits;
   }
+}
+
+void DomainMesher::remember(Cell leaf) {
+  history_.push_back({separation_.tree().corner(leaf), separation_.tree().side_bits(leaf)});
 }
 
 void DomainMesher::check_time() { deadline_.check_now(domain_.root().corner, 0); }

@@ -44,11 +44,19 @@ struct NeedsKites {
 /// The same dead ends come back at every level: another root square may do better.
 struct NeedsOtherRoot {};
 
+/// Leaves that were split, in order: an attempt with more kites begins with them.
+struct Split {
+  LatticePoint corner;
+  int side_bits;
+};
+
 class DomainMesher {
  public:
-  /// `is_last_root`: never ask for another one. All arguments but the budget must outlive it.
+  /// `is_last_root`: never ask for another one. `history` is what earlier attempts in the same root
+  /// square split, and grows; splits at vertices that are given a kite are left out. All arguments
+  /// but the budget must outlive it.
   DomainMesher(const Domain& domain, const SizeField& sizes, const Budget& budget,
-               bool is_last_root, PolygonCounters& counters);
+               bool is_last_root, std::vector<Split>& history, PolygonCounters& counters);
 
   /// Guarantees: 1. every quad of the mesh has thm-13's angles, but for whole input angles and the
   /// rounding that kSmallestSlack allows for. Throws: TreeBudgetExceeded, with the place of the
@@ -69,6 +77,9 @@ class DomainMesher {
   void split_around(const TreeMesh& tree_mesh, const std::vector<VertexId>& vertices);
   void blame_acute(const TreeMesh& tree_mesh, const CutQuads& cut_quads, VertexId vertex);
   std::vector<EdgeId> lose_patience();
+  void repeat_history();
+  void separate_cells();
+  void remember(Cell leaf);
   void check_time();
 
   const Domain& domain_;
@@ -76,6 +87,7 @@ class DomainMesher {
   Deadline deadline_;
   Separation separation_;
   bool is_last_root_;
+  std::vector<Split>& history_;
   PolygonCounters& counters_;
   std::vector<Cell> to_split_;
   int dead_rounds_ = 0;

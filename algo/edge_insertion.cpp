@@ -10,9 +10,6 @@
 namespace quadbound {
 namespace {
 
-/// sin 3 degrees: more slack than this is not asked for.
-constexpr double kEnough = 0.0523;
-
 /// Widening: feet beside the perpendicular one, in parts of the height above the edge.
 constexpr std::array<double, 1> kLevel0{0};
 constexpr std::array<double, 5> kLevel1{0, 0.125, -0.125, 0.25, -0.25};
@@ -159,7 +156,7 @@ class Insertion {
     for (int j = 0; j < size_ && static_cast<int>(good.size()) < wanted; ++j) {
       if (!good.empty() && j < good.back() + stride) continue;
       const double slack = slack_of_start(j);
-      if (slack >= kEnough) {
+      if (slack >= kEnoughSlack) {
         good.push_back(j);
       } else if (slack > -1) {
         found.emplace_back(-slack, j);
@@ -196,7 +193,7 @@ class Insertion {
     levels_.assign(alpha_.size(), 0);
     states_.assign(alpha_.size() + 1, {});
     states(0) = states_at(vertex(0), 0);
-    states(0).front().slack = kEnough;
+    states(0).front().slack = kEnoughSlack;
     int from = 1;
     for (;;) {
       const int dead = advance(from);
@@ -269,7 +266,7 @@ class Insertion {
              const Piece& piece) {
     if (!(slack > kSmallestSlack)) return;
     const State& before = states(from)[static_cast<std::size_t>(from_state)];
-    const double value = std::min({before.slack, slack, kEnough});
+    const double value = std::min({before.slack, slack, kEnoughSlack});
     const std::uint32_t count = before.quads + quads;
     if (value < to.slack || (value == to.slack && count >= to.quads)) return;
     to.slack = value;
@@ -305,7 +302,7 @@ class Insertion {
     });
     if (to.at_site)
       for_link_pairs_to(j, [&](const Link& l1, const Link& l2) { fan(to, j, l1, l2); });
-    if (to.slack >= kEnough) return;
+    if (to.slack >= kEnoughSlack) return;
     for_link_pairs_to(j, [&](const Link& l1, const Link& l2) { pentagon(to, j, l1, l2); });
     if (to.slack > 0 || to.at_site || level(j) == 0 || j < 2) return;
     hexagon(to, j);
@@ -341,7 +338,7 @@ class Insertion {
       if (!from.perpendicular && !to.perpendicular) return;
       const double bumps = std::min(first.slack, second.slack);
       const double least = std::max(to.slack, kSmallestSlack);
-      if (std::min({bumps, from.slack, kEnough}) <= to.slack) return;  // cannot be better
+      if (std::min({bumps, from.slack, kEnoughSlack}) <= to.slack) return;  // cannot be better
       const auto made = mesh_pentagon(domain_, from.edge, from.at, to.at, point(first.start),
                                       point(second.start), point(j), least);
       if (!made) return;

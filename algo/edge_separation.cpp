@@ -2,7 +2,6 @@
 #include "algo/edge_separation.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 #include <optional>
 #include <span>
 #include <tuple>
@@ -91,7 +90,7 @@ class FaultFinder {
     const Cell leaf = tree_mesh_.leaf_of(edges.front().vertex);
     bool in_some_grid = false;
     std::optional<EdgePair> pair;
-    for_sites_with_grid(leaf, [&](EdgeId site) {
+    tree_mesh_.for_grids_with(leaf, [&](EdgeId site) {
       in_some_grid = true;
       for (const Above& above : edges)
         if (above.edge != site && above.edge != domain_.previous(site)) pair = {above.edge, site};
@@ -103,35 +102,9 @@ class FaultFinder {
   // --- 5x5 grids ---------------------------------------------------------------------------------
 
   [[nodiscard]] bool in_grid(Cell leaf, EdgeId site) const {
-    const Quadtree& tree = tree_mesh_.tree();
-    const Cell cell = tree_mesh_.cell_of(site);
-    if (tree.side_bits(leaf) != tree.side_bits(cell)) return false;
-    const LatticePoint a = tree.corner(leaf);
-    const LatticePoint b = tree.corner(cell);
-    const std::int64_t reach = std::int64_t{2} << tree.side_bits(cell);
-    return std::abs(a.x - b.x) <= reach && std::abs(a.y - b.y) <= reach;
-  }
-
-  /// All 24 cells around a cell with a point are leaves of its size, so the cells in question are
-  /// reached from the leaf through cells that exist.
-  template <class Visit>
-  void for_sites_with_grid(Cell leaf, const Visit& visit) const {
-    const Quadtree& tree = tree_mesh_.tree();
-    const LatticePoint low = tree.corner(leaf);
-    const LatticePoint root = tree.root().corner;
-    const std::int64_t side = std::int64_t{1} << tree.side_bits(leaf);
-    const std::int64_t root_side = std::int64_t{1} << tree.root().side_bits;
-    for (int dx = -2; dx <= 2; ++dx) {
-      for (int dy = -2; dy <= 2; ++dy) {
-        const LatticePoint at{low.x + dx * side, low.y + dy * side};
-        if (at.x < root.x || at.y < root.y || at.x >= root.x + root_side ||
-            at.y >= root.y + root_side)
-          continue;
-        const Cell there = tree.leaf_at(at);
-        if (tree.side_bits(there) != tree.side_bits(leaf) || !tree.has_point(there)) continue;
-        visit(tree_mesh_.site_near(tree_mesh_.centre(there)));
-      }
-    }
+    bool found = false;
+    tree_mesh_.for_grids_with(leaf, [&](EdgeId there) { found = found || there == site; });
+    return found;
   }
 
   // --- what to split -----------------------------------------------------------------------------

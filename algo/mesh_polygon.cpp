@@ -39,6 +39,27 @@ std::vector<std::optional<std::size_t>> inputs_of(const std::vector<bool>& cut) 
   return result;
 }
 
+/// Below 30 degrees the corner construction nearly never finds a way; to learn that each time would
+/// cost an attempt. The exact angle does not matter: others are given a kite when they need one.
+bool needs_kite(const Point& before, const Point& at, const Point& after) {
+  constexpr double kSquaredCosine = 0.75;  // of 30 degrees
+  const Vector u{after.x - at.x, after.y - at.y};
+  const Vector v{before.x - at.x, before.y - at.y};
+  const double d = dot(u, v);
+  return cross(u, v) > 0 && d > 0 && d * d > kSquaredCosine * dot(u, u) * dot(v, v);
+}
+
+/// By vertex, rings in order.
+std::vector<bool> sharp_vertices(const Polygon& polygon) {
+  std::vector<bool> sharp;
+  for (const Ring& ring : polygon.rings) {
+    const std::size_t size = ring.size();
+    for (std::size_t i = 0; i < size; ++i)
+      sharp.push_back(needs_kite(ring[(i + size - 1) % size], ring[i], ring[(i + 1) % size]));
+  }
+  return sharp;
+}
+
 class PolygonMesher {
  public:
   PolygonMesher(const Polygon& polygon, const PolygonMeshOptions& options)
@@ -62,11 +83,13 @@ class PolygonMesher {
 
  private:
   bool mesh_in_root(bool is_last) {
-    std::vector<bool> cut(points_.size());
+    std::vector<bool> cut = sharp_vertices(polygon_);
+    std::vector<Split> history;
     for (;; ++result_.counters.restarts) {
       const Domain domain = cut_kites(polygon_, result_.root, cut);
       result_.counters.kites = domain.kites.size();
-      auto made = DomainMesher(domain, sizes_, remaining(), is_last, result_.counters).run();
+      auto made =
+          DomainMesher(domain, sizes_, remaining(), is_last, history, result_.counters).run();
       if (std::holds_alternative<NeedsOtherRoot>(made)) return false;
       if (auto* mesh = std::get_if<DomainMesh>(&made)) {
         result_.mesh = std::move(mesh->mesh);

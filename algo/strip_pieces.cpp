@@ -37,12 +37,14 @@ class BestCandidate {
       : pentagon_(pentagon), slack_(least) {}
 
   void offer(const Candidate& candidate) {
+    if (is_enough()) return;
     const double slack = slack_of(pentagon_, candidate, slack_);
     if (!(slack > slack_)) return;
     slack_ = slack;
     best_ = candidate;
   }
   [[nodiscard]] const std::optional<Candidate>& best() const { return best_; }
+  [[nodiscard]] bool is_enough() const { return slack_ >= kEnoughSlack; }
 
  private:
   const FramedPentagon& pentagon_;
@@ -56,7 +58,7 @@ void offer_grid(const FramedPentagon& p, BestCandidate& best) {
   const double left = std::min(p.a.x, 0.0);
   const double right = std::max(p.c.x, p.y);
   const double top = std::max({p.a.y, p.b.y, p.c.y});
-  for (int i = 1; i < kSteps; ++i) {
+  for (int i = 1; i < kSteps && !best.is_enough(); ++i) {
     const double t = left + (right - left) * i / kSteps;
     for (int j = 1; j < kSteps; ++j) {
       const Vector s{t, top * j / kSteps};

@@ -18,6 +18,9 @@ namespace quadbound {
 /// a corner exactly on a bound would not survive the rounding of its coordinates to doubles.
 inline constexpr double kSmallestSlack = 1e-9;
 
+/// sin 3 degrees: more slack than this is not asked for.
+inline constexpr double kEnoughSlack = 0.0523;
+
 /// The Steiner point and the foot inside a strip pentagon.
 struct Pentagon {
   double slack;
@@ -26,8 +29,8 @@ struct Pentagon {
 };
 
 /// Meshes the pentagon x, y, c, b, a with the quads (x, z, s, a), (z, y, c, s) and (a, s, c, b): a
-/// Steiner point s and a foot z between x and y. The best of a fixed list of candidates, if it has
-/// more slack than `least`.
+/// Steiner point s and a foot z between x and y. The first of a fixed list of candidates that has
+/// enough slack, or else the best, if it has more than `least`.
 std::optional<Pentagon> mesh_pentagon(const Domain& domain, EdgeId edge, const FinePoint& x,
                                       const FinePoint& y, LatticePoint a, LatticePoint b,
                                       LatticePoint c, double least);

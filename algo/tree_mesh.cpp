@@ -42,13 +42,38 @@ VertexId TreeMesh::end_of_leaf_vertices() const {
 
 void TreeMesh::place_sites(const Domain& domain) {
   site_near_.assign(mesh_.vertices.size(), kNoSite);
+  grid_of_.assign(mesh_.vertices.size(), kNoSite);
   for (EdgeId site = 0; site < domain.size(); ++site) {
     const VertexId vertex = centre(cell_of_[site]);
     vertex_of_.push_back(vertex);
     site_near_[vertex] = site;
     tree_.for_extended_neighbours(
         cell_of_[site], [this, site](int, int, Cell there) { site_near_[centre(there)] = site; });
+    mark_grid(site);
     mesh_.vertices.move_to(vertex, domain.floor(site));
+  }
+  std::sort(other_grids_.begin(), other_grids_.end());
+}
+
+/// Requires: the 24 cells around the site's cell exist and are leaves.
+void TreeMesh::mark_grid(EdgeId site) {
+  const auto mark = [this, site](Cell leaf) {
+    const VertexId vertex = centre(leaf);
+    if (grid_of_[vertex] == kNoSite) {
+      grid_of_[vertex] = site;
+    } else {
+      other_grids_.emplace_back(vertex, site);
+    }
+  };
+  const Cell cell = cell_of_[site];
+  Cell row = *tree_.neighbour(*tree_.neighbour(cell, kSouth), kSouth);
+  for (int y = -2; y <= 2; ++y) {
+    Cell at = *tree_.neighbour(*tree_.neighbour(row, kWest), kWest);
+    for (int x = -2; x <= 2; ++x) {
+      mark(at);
+      if (x < 2) at = *tree_.neighbour(at, kEast);
+    }
+    if (y < 2) row = *tree_.neighbour(row, kNorth);
   }
 }
 

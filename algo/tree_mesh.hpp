@@ -3,8 +3,10 @@
 // The quadtree of a domain's vertices and its quadrangulation Q, with the links that Section 3 asks
 // for.
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "algo/counters.hpp"
@@ -52,6 +54,16 @@ class TreeMesh {
   /// The vertex of the domain whose cell or one of the 8 cells around it has its centre here; or
   /// kNoSite.
   [[nodiscard]] EdgeId site_near(VertexId vertex) const { return site_near_[vertex]; }
+  /// Calls visit(site) for each vertex of the domain in whose 5x5 grid a leaf is.
+  template <class Visit>
+  void for_grids_with(Cell leaf, const Visit& visit) const {
+    const VertexId vertex = centre(leaf);
+    if (grid_of_[vertex] == kNoSite) return;
+    visit(grid_of_[vertex]);
+    auto other =
+        std::lower_bound(other_grids_.begin(), other_grids_.end(), std::pair{vertex, EdgeId{0}});
+    for (; other != other_grids_.end() && other->first == vertex; ++other) visit(other->second);
+  }
   [[nodiscard]] bool is_site(VertexId vertex) const {
     return site_near_[vertex] != kNoSite && vertex_of_[site_near_[vertex]] == vertex;
   }
@@ -59,6 +71,7 @@ class TreeMesh {
  private:
   void link_quads();
   void place_sites(const Domain& domain);
+  void mark_grid(EdgeId site);
   [[nodiscard]] VertexId end_of_leaf_vertices() const;
 
   const Quadtree& tree_;
@@ -67,6 +80,8 @@ class TreeMesh {
   std::vector<Cell> cell_of_;
   std::vector<VertexId> vertex_of_;
   std::vector<EdgeId> site_near_;
+  std::vector<EdgeId> grid_of_;  ///< by centre: a site in whose 5x5 grid it is
+  std::vector<std::pair<VertexId, EdgeId>> other_grids_;  ///< further ones, sorted
   std::vector<std::uint32_t> first_quad_;
   std::vector<QuadId> quads_at_;
   /// Extra points of the case 2,2, which are numbered after all others: centre of the leaf, extra.
