@@ -395,6 +395,91 @@ class Fuzz(CommandLineTest):
         self.assertRegex(done.stderr_text, r"(?m)^quadbound: .*stitching case .* was never reached")
 
 
+class FuzzPolygons(CommandLineTest):
+    STRICT = ("--min-tangent", "2/5")  # what no mesh of more than a few cells keeps
+
+    def findings(self, folder="found"):
+        lines = (self.folder / folder / "INDEX").read_text().splitlines()
+        return [line.split("\t") for line in lines]
+
+    def test_deterministic_table_and_summary_whatever_the_threads(self):
+        outputs = set()
+        for threads in (1, 3):
+            done = self.run_it("fuzz", "--count", 30, "--seed", 5, "--max-n", 20, "--max-cells", 20000,
+                               "--threads", threads, "--summary", "summary.json")
+            outputs.add((done.stdout, (self.folder / "summary.json").read_bytes()))
+        self.assertEqual(len(outputs), 1)
+        self.assertFalse((self.folder / "findings").exists())
+        summary = json.loads((self.folder / "summary.json").read_text())
+        self.assertEqual(summary["all"]["cases"], 30)
+        self.assertEqual(summary["findings"], [])
+        self.assertEqual(sum(c["quads"] for c in summary["constructions"].values()),
+                         summary["all"]["quads"])
+
+    def test_findings_are_kept_shrunk_and_replayed(self):
+        done = self.run_it("fuzz", "--count", 6, "--family", "star,blob", "--max-n", 20, *self.STRICT,
+                           "--shrink-tries", 40, "--findings", "found", status=1)
+        self.assertIn("quadbound: finding: min-angle: ", done.stderr_text)
+        findings = self.findings()
+        self.assertTrue(findings)
+        for claim, recipe, replay, _ in findings:
+            self.assertRegex(recipe, r"^(star|blob):n=\d+,seed=")
+            program, *arguments = shlex.split(replay)
+            self.assertEqual(program, "quadbound")
+            self.assertIn(f"claim {claim} ", self.one_line(*arguments, status=1))
+            self.run_it(*arguments[:3])  # without the stricter bound
+            case = self.folder / arguments[2]
+            small = case.with_name(case.stem + "-small.geojson")
+            self.assertIn(f"claim {claim} ", self.one_line("fuzz", "--replay", small, *self.STRICT,
+                                                           status=1))
+            self.assertLessEqual(small.stat().st_size, case.stat().st_size)
+
+    def test_a_budget_is_counted_apart(self):
+        done = self.run_it("fuzz", "--count", 2, "--family", "star", "--max-cells", 10,
+                           "--summary", "summary.json")
+        self.assertIn("refused: 2\n", done.stdout_text)
+        summary = json.loads((self.folder / "summary.json").read_text())
+        self.assertEqual((summary["all"]["too_many_cells"], len(summary["refusals"])), (2, 2))
+        self.assertIn("--max-cells", self.one_line("fuzz", "--replay", "star:n=9,seed=1",
+                                                   "--max-cells", 10, status=3))
+
+    def test_replay_of_a_recipe_and_of_what_is_none(self):
+        self.assertIn("thm-13 proved", self.run_it("fuzz", "--replay", "star:n=9,seed=1").stdout_text)
+        self.assertEqual(self.run_it("fuzz", "-q", "--replay", "star:n=9,seed=1").stdout, b"")
+        self.one_line("fuzz", "--replay", "nothing:n=9")
+        self.one_line("fuzz", "--replay", "missing.geojson")
+        self.one_line("fuzz", "--replay", self.file("bow.wkt", "POLYGON((0 0, 2 2, 2 0, 0 2, 0 0))"))
+
+    def test_corpus_with_folders_of_what_must_fail(self):
+        self.one_line("fuzz", "--corpus", "missing")
+        for name in ("good", "bad/known-failing"):
+            (self.folder / "corpus" / name).mkdir(parents=True)
+        self.one_line("fuzz", "--corpus", "corpus")
+        self.file("corpus/good/square.wkt", "POLYGON((0 0, 2 0, 2 2, 0 2, 0 0))")
+        self.file("corpus/good/bow.wkt", "POLYGON((0 0, 2 2, 2 0, 0 2, 0 0))")
+        self.assertIn("2 cases, 0 bad", self.run_it("fuzz", "--corpus", "corpus").stdout_text)
+        self.file("corpus/bad/known-failing/square.wkt", "POLYGON((0 0, 2 0, 2 2, 0 2, 0 0))")
+        self.assertIn("3 cases, 1 bad", self.run_it("fuzz", "--corpus", "corpus", status=1).stdout_text)
+
+    def test_wrong_usage_is_refused(self):
+        self.assertIn("spiral-band", self.one_line("fuzz", "--family", "nothing"))
+        for wrong in ("2", "0/1", "1/8", "a/b", "1/2/3"):
+            self.one_line("fuzz", "--count", 1, "--min-tangent", wrong)
+        self.one_line("fuzz", "--warp", "paper")
+        self.one_line("fuzz", "--points", "--replay", "star:n=9")
+        self.one_line("fuzz", "--count", 1, "--seconds", 1)
+
+    def test_a_campaign_by_the_clock_ends(self):
+        begin = time.monotonic()
+        self.run_it("fuzz", "-q", "--seconds", 1, "--family", "regular", "--max-n", 10)
+        self.assertLess(time.monotonic() - begin, 60)
+
+    def test_a_campaign_that_never_reached_a_construction_fails_and_names_it(self):
+        done = self.run_it("fuzz", "-q", "--count", 1000, "--family", "regular", "--max-cells", 1,
+                           status=1)
+        self.assertIn("quadbound: kite tip was never reached", done.stderr_text)
+
+
 if __name__ == "__main__":
     PROGRAM = os.path.abspath(sys.argv.pop(1))
     unittest.main()

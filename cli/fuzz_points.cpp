@@ -4,13 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <new>
 #include <set>
 #include <utility>
 
+#include "cli/fuzz_cases.hpp"
 #include "generators/random.hpp"
 #include "model/errors.hpp"
 #include "model/validate.hpp"
@@ -21,32 +21,6 @@ namespace {
 
 // --- making a case
 // --------------------------------------------------------------------------------
-
-/// Neighbouring seeds and indices must not give neighbouring states (the finaliser of splitmix64).
-std::uint64_t mixed(std::uint64_t seed, std::uint64_t index) {
-  std::uint64_t z = seed * 0x9E3779B97F4A7C15U + index + 1;
-  z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9U;
-  z = (z ^ (z >> 27)) * 0x94D049BB133111EBU;
-  return z ^ (z >> 31);
-}
-
-/// From 0 to largest, all magnitudes equally likely.
-std::uint64_t any_magnitude(RandomIntegers& random, std::uint64_t largest) {
-  const auto bits = random.between(0, static_cast<std::int64_t>(std::bit_width(largest)));
-  return std::min(largest, random.below(std::uint64_t{1} << bits));
-}
-
-/// A third of the values are the default, a third near it, and a third anywhere.
-std::int64_t any_value(RandomIntegers& random, const Parameter& parameter) {
-  const auto kind = random.below(3);
-  if (kind == 0) return parameter.default_value;
-  const std::int64_t range = parameter.largest - parameter.smallest;
-  if (kind == 1) return random.between(parameter.smallest, parameter.largest);
-  const auto away =
-      static_cast<std::int64_t>(any_magnitude(random, static_cast<std::uint64_t>(range)));
-  return std::clamp(parameter.default_value + (random.chance(50) ? away : -away),
-                    parameter.smallest, parameter.largest);
-}
 
 PointRecipe any_recipe(RandomIntegers& random, const std::string& family, std::uint64_t max_n) {
   const FamilyDescription& description = find_family(point_families(), family);
@@ -145,23 +119,13 @@ CaseResult refused(const PointCase& made, const Refusal& refusal) {
   return without_mesh(outcome, outcome == CaseOutcome::kFinding ? "refusal" : "", refusal.message);
 }
 
-std::optional<Corner<Rational>> extreme(const Report& report, std::string_view claim) {
-  const Claim* found = report.find(claim);
-  if (found == nullptr || !found->worst) return std::nullopt;
-  return Corner<Rational>{found->worst->cross, found->worst->dot};
-}
-
 void note_verdicts(const Report& report, CaseResult& result) {
-  for (const Claim& claim : report.claims) {
+  for (const Claim& claim : report.claims)
     if (claim.stored && claim.stored->verdict == StoredVerdict::fails) result.stored_holds = false;
-    if (claim.exact == Verdict::holds || !result.claim.empty()) continue;
+  if (const auto broken = broken_claim(report)) {
     result.outcome = CaseOutcome::kFinding;
-    result.claim = claim.id;
-    result.detail = fmt::format("{}: {}", name(claim.exact), claim.detail);
-  }
-  if (!report.holds() && result.claim.empty()) {
-    result.outcome = CaseOutcome::kFinding;
-    result.claim = report.theorem;
+    result.claim = broken->id;
+    result.detail = broken->detail;
   }
 }
 
@@ -186,20 +150,11 @@ CaseResult meshed(const PointCase& made, const PointMeshOptions& options) {
 // --- tallies
 // --------------------------------------------------------------------------------------
 
-bool smaller_angle(const Corner<Rational>& a, const Corner<Rational>& b) {
-  return a.dot * b.cross > b.dot * a.cross;  // both cross products are positive in a proved mesh
-}
-
 void keep_smaller(std::optional<Corner<Rational>>& kept, const std::optional<Corner<Rational>>& c) {
   if (c && (!kept || smaller_angle(*c, *kept))) kept = c;
 }
 void keep_larger(std::optional<Corner<Rational>>& kept, const std::optional<Corner<Rational>>& c) {
   if (c && (!kept || smaller_angle(*kept, *c))) kept = c;
-}
-
-template <class Array>
-void add_each(Array& sums, const Array& values) {
-  for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += values[i];
 }
 
 void add_counters(Counters& sums, const Counters& counters) {
@@ -215,14 +170,10 @@ std::string to_text(const PointTransform& t) {
                      t.swap_axes ? 1 : 0, t.negate_x ? 1 : 0, t.negate_y ? 1 : 0, t.exponent);
 }
 
-std::vector<std::string> all_point_families() {
-  std::vector<std::string> names;
-  for (const FamilyDescription& family : point_families()) names.emplace_back(family.name);
-  return names;
-}
+std::vector<std::string> all_point_families() { return names_of(point_families()); }
 
 PointCase random_point_case(const PointCampaign& campaign, std::uint64_t index) {
-  RandomIntegers random(mixed(campaign.seed, index));
+  RandomIntegers random(case_seed(campaign.seed, index));
   const std::size_t families = campaign.families.size();
   PointCase made;
   made.index = index;

@@ -25,6 +25,7 @@ Examples:
   quadbound mesh --points points.csv -o mesh.json -o mesh.svg
   quadbound verify --points points.csv mesh.json
   quadbound prove theorem-1
+  quadbound fuzz --count 1000
   quadbound fuzz --points --count 1000)";
 
 /// Ctrl-C leaves no half-written file behind; then it ends the program as ever.
