@@ -29,8 +29,10 @@ bool within_bounds(const TreeMesh& tree_mesh, QuadId quad) {
 
 }  // namespace
 
-void align_with_corners(const Domain& domain, TreeMesh& tree_mesh, const CutQuads& cut_quads,
-                        const KeptQuads& kept, InsertionCounters& counters) {
+std::vector<AlignedCentre> align_with_corners(const Domain& domain, TreeMesh& tree_mesh,
+                                              const CutQuads& cut_quads, const KeptQuads& kept,
+                                              InsertionCounters& counters) {
+  std::vector<AlignedCentre> aligned;
   for (EdgeId site = 0; site < domain.size(); ++site) {
     for (const Direction direction : kDirections) {
       const auto beside = tree_mesh.tree().neighbour(tree_mesh.cell_of(site), direction);
@@ -52,9 +54,14 @@ void align_with_corners(const Domain& domain, TreeMesh& tree_mesh, const CutQuad
       for (const QuadId quad : tree_mesh.quads_at(centre))
         if (kept.is_kept[quad]) fits = fits && within_bounds(tree_mesh, quad);
       ++(fits ? counters.moves : counters.moves_refused);
-      if (!fits) tree_mesh.move_to(centre, before);
+      if (fits) {
+        aligned.push_back({site, centre, before});
+      } else {
+        tree_mesh.move_to(centre, before);
+      }
     }
   }
+  return aligned;
 }
 
 }  // namespace quadbound

@@ -12,12 +12,21 @@
 
 namespace quadbound {
 
+/// A centre that was moved.
+struct AlignedCentre {
+  EdgeId site;  ///< the corner it is aligned with
+  VertexId centre;
+  LatticePoint before;
+};
+
 /// For each vertex of the domain, moves those of the four centres beside its cell that lie between
 /// its edges: parallel to the side of their cell, in line with the vertex. One is moved only if the
 /// angles beside the line are arctan(1/3) at least and the kept quads stay in the bounds, exactly.
 ///
-/// Guarantees: 1. centres stay in their cells. Complexity: linear.
-void align_with_corners(const Domain& domain, TreeMesh& tree_mesh, const CutQuads& cut_quads,
-                        const KeptQuads& kept, InsertionCounters& counters);
+/// Guarantees: 1. centres stay in their cells. 2. what was moved is returned, by ascending site; to
+/// move it back keeps the bounds, too. Complexity: linear.
+std::vector<AlignedCentre> align_with_corners(const Domain& domain, TreeMesh& tree_mesh,
+                                              const CutQuads& cut_quads, const KeptQuads& kept,
+                                              InsertionCounters& counters);
 
 }  // namespace quadbound

@@ -122,7 +122,7 @@ std::optional<DomainMesh> DomainMesher::round() {
     return std::nullopt;
   }
   if (!has_one_alpha_for_each_ring(tree_mesh, cut_quads, kept)) return std::nullopt;
-  align_with_corners(domain_, tree_mesh, cut_quads, kept, counters_.insertion);
+  aligned_ = align_with_corners(domain_, tree_mesh, cut_quads, kept, counters_.insertion);
   std::vector<Strip> strips;
   if (!insert(tree_mesh, cut_quads, kept, strips)) return std::nullopt;
   counters_.kept_quads =
@@ -186,11 +186,32 @@ bool DomainMesher::has_one_alpha_for_each_ring(const TreeMesh& tree_mesh, const 
   return to_split_.empty();
 }
 
-bool DomainMesher::insert(const TreeMesh& tree_mesh, const CutQuads& cut_quads,
-                          const KeptQuads& kept, std::vector<Strip>& strips) {
+/// Moves the centres beside a dead end back to where they were; whether there were any.
+bool DomainMesher::undo_alignment(TreeMesh& tree_mesh, const DeadEnd& dead) {
+  bool undone = false;
+  for (const VertexId v : dead.near) {
+    const EdgeId site = tree_mesh.site_near(v);
+    if (site == TreeMesh::kNoSite) continue;
+    for (AlignedCentre& aligned : aligned_) {
+      if (aligned.site != site || tree_mesh.at(aligned.centre) == aligned.before) continue;
+      tree_mesh.move_to(aligned.centre, aligned.before);
+      ++counters_.insertion.moves_undone;
+      undone = true;
+    }
+  }
+  return undone;
+}
+
+bool DomainMesher::insert(TreeMesh& tree_mesh, const CutQuads& cut_quads, const KeptQuads& kept,
+                          std::vector<Strip>& strips) {
   for (const std::vector<VertexId>& alpha : kept.alphas) {
     check_time();
     auto made = insert_edges(domain_, tree_mesh, cut_quads, alpha, counters_.insertion);
+    // As often as there are corners along alpha at most: each time some are undone for good.
+    while (const auto* dead = std::get_if<DeadEnd>(&made)) {
+      if (!undo_alignment(tree_mesh, *dead)) break;
+      made = insert_edges(domain_, tree_mesh, cut_quads, alpha, counters_.insertion);
+    }
     if (auto* strip = std::get_if<Strip>(&made)) {
       strips.push_back(std::move(*strip));
       continue;

@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "algo/corner_alignment.hpp"
 #include "algo/counters.hpp"
 #include "algo/cut_quads.hpp"
 #include "algo/domain.hpp"
@@ -71,7 +72,8 @@ class DomainMesher {
   bool is_fine_enough(const TreeMesh& tree_mesh, const CutQuads& cut_quads);
   bool has_one_alpha_for_each_ring(const TreeMesh& tree_mesh, const CutQuads& cut_quads,
                                    const KeptQuads& kept);
-  bool insert(const TreeMesh& tree_mesh, const CutQuads& cut_quads, const KeptQuads& kept,
+  bool undo_alignment(TreeMesh& tree_mesh, const DeadEnd& dead);
+  bool insert(TreeMesh& tree_mesh, const CutQuads& cut_quads, const KeptQuads& kept,
               std::vector<Strip>& strips);
   bool fill(DomainMesh& made, const TreeMesh& tree_mesh);
   void split_around(const TreeMesh& tree_mesh, const std::vector<VertexId>& vertices);
@@ -90,6 +92,7 @@ class DomainMesher {
   std::vector<Split>& history_;
   PolygonCounters& counters_;
   std::vector<Cell> to_split_;
+  std::vector<AlignedCentre> aligned_;
   int dead_rounds_ = 0;
   std::vector<EdgeId> troubled_;  ///< acute vertices, this round
   std::vector<int> trouble_;      ///< rounds of it, by vertex of the domain

@@ -37,6 +37,7 @@ struct InsertionCounters {
   std::uint64_t other_cuts = 0;  ///< chains that were cut open at another place than the first
   std::uint64_t moves = 0;       ///< centres aligned with a corner (Lemma 12, Case 3)
   std::uint64_t moves_refused = 0;
+  std::uint64_t moves_undone = 0;  ///< as they led to a dead end
 };
 
 struct Strip {
