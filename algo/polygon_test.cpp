@@ -1,0 +1,602 @@
+// SPDX-License-Identifier: Apache-2.0
+// The parts of the mesher of polygons, by the guarantees of their headers, against exact arithmetic
+// on all pairs.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "algo/cut_quads.hpp"
+#include "algo/domain.hpp"
+#include "algo/edge_separation.hpp"
+#include "algo/kept_quads.hpp"
+#include "algo/kites.hpp"
+#include "algo/separation.hpp"
+#include "algo/sizing.hpp"
+#include "algo/strip_pieces.hpp"
+#include "algo/tree_mesh.hpp"
+#include "generators/polygons.hpp"
+#include "generators/random.hpp"
+#include "model/angle.hpp"
+#include "model/validate.hpp"
+
+namespace quadbound {
+namespace {
+
+std::vector<Point> vertices_of(const Polygon& polygon) {
+  std::vector<Point> points;
+  for (const Ring& ring : polygon.rings) points.insert(points.end(), ring.begin(), ring.end());
+  return points;
+}
+
+/// Without kites, in a shifted root square.
+Domain domain_of(const Polygon& polygon, RootShift shift = {3, 5}) {
+  const std::vector<Point> points = vertices_of(polygon);
+  return cut_kites(polygon, place_root(points, shift).root, std::vector<bool>(points.size()));
+}
+
+/// With a kite at every acute vertex.
+Domain non_acute_domain_of(const Polygon& polygon) {
+  const Domain whole = domain_of(polygon);
+  std::vector<bool> cut;
+  for (EdgeId v = 0; v < whole.size(); ++v) cut.push_back(whole.is_acute(v));
+  return cut_kites(polygon, whole.root(), cut);
+}
+
+/// Its small coordinates have bits below the lattice.
+Polygon polygon_off_the_lattice() {
+  return normalised(
+      {"off", {{{1e-7 / 3, -1e-9 / 7}, {1, 0.1}, {0.7, 1e-5 / 3 + 0.9}, {-1e-6 / 9, 0.5}}}});
+}
+
+std::vector<Polygon> samples() {
+  std::vector<Polygon> polygons{polygon_off_the_lattice()};
+  for (const char* recipe : {"regular:n=5", "star:n=8,seed=1,holes=1", "slopes:n=10,seed=2",
+                             "grid-aligned:n=8,seed=3,level=3", "growth:n=9,seed=4"})
+    polygons.push_back(normalised(generate_polygon(parse_polygon_recipe(recipe))));
+  return polygons;
+}
+
+RationalPoint in_units(const Domain& domain, EdgeId vertex) {
+  const Rational unit = dyadic(1, domain.root().exponent);
+  const RationalPoint at = domain.vertices().exact(vertex);
+  return {at.x / unit, at.y / unit};
+}
+
+RationalPoint rational(LatticePoint p) { return {Rational(p.x), Rational(p.y)}; }
+
+Rational cross_of(const RationalPoint& a, const RationalPoint& b, const RationalPoint& c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+int sign_of(const Rational& value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
+
+/// Lattice points all over the root square, next to edges, and at vertices.
+std::vector<LatticePoint> probes(const Domain& domain, EdgeId e, RandomIntegers& random) {
+  const RootSquare& root = domain.root();
+  std::vector<LatticePoint> points;
+  for (int i = 0; i < 10; ++i)
+    points.push_back(
+        {root.corner.x + random.bits(root.side_bits), root.corner.y + random.bits(root.side_bits)});
+  const LatticePoint a = domain.floor(e);
+  const LatticePoint b = domain.floor(domain.next(e));
+  for (int i = 0; i <= 8; ++i)
+    points.push_back({a.x + (b.x - a.x) / 8 * i + random.between(-1, 1),
+                      a.y + (b.y - a.y) / 8 * i + random.between(-1, 1)});
+  points.push_back(a);
+  points.push_back(b);
+  return points;
+}
+
+// --- Domain
+// ---------------------------------------------------------------------------------------
+
+TEST(Domain, VerticesAreExactAndOffTheLatticeWhereTheyMustBe) {
+  for (const Polygon& polygon : samples()) {
+    const Domain domain = domain_of(polygon);
+    const std::vector<Point> points = vertices_of(polygon);
+    ASSERT_EQ(domain.size(), points.size());
+    EXPECT_EQ(domain.ring_count(), polygon.rings.size());
+    for (EdgeId v = 0; v < domain.size(); ++v) {
+      EXPECT_EQ(domain.vertices().exact(v), exact_value(points[v]));
+      EXPECT_EQ(domain.previous(domain.next(v)), v);
+      EXPECT_EQ(domain.ring(domain.next(v)), domain.ring(v));
+    }
+  }
+  const Domain off = domain_of(polygon_off_the_lattice());
+  EXPECT_TRUE(off.rounded(0));
+  EXPECT_FALSE(off.rounded(1));
+}
+
+TEST(Domain, SideAndHeightAgainstRationals) {
+  RandomIntegers random(1);
+  for (const Polygon& polygon : samples()) {
+    const Domain domain = domain_of(polygon);
+    for (EdgeId e = 0; e < domain.size(); ++e) {
+      const RationalPoint a = in_units(domain, e);
+      const RationalPoint b = in_units(domain, domain.next(e));
+      for (const LatticePoint p : probes(domain, e, random)) {
+        const Rational exact = cross_of(a, b, rational(p));
+        EXPECT_EQ(domain.side(e, p), sign_of(exact));
+        const double height = nearest_double(exact) /
+                              std::hypot(nearest_double(b.x - a.x), nearest_double(b.y - a.y));
+        EXPECT_NEAR(domain.height(e, p), height, 0x1p-49 * std::abs(height));
+      }
+      for (EdgeId v = 0; v < domain.size(); ++v)
+        EXPECT_EQ(domain.side(e, v), sign_of(cross_of(a, b, in_units(domain, v))));
+    }
+  }
+}
+
+TEST(Domain, AcuteVertices) {
+  const Polygon polygon =
+      normalised({"p", {{{0, 0}, {4, 0}, {4, 3}, {2, 1}, {1, 1}, {0.5, 3}, {0, 3}}}});
+  const Domain domain = domain_of(polygon);
+  std::vector<EdgeId> acute;
+  for (EdgeId v = 0; v < domain.size(); ++v)
+    if (domain.is_acute(v)) acute.push_back(v);
+  EXPECT_EQ(acute, (std::vector<EdgeId>{2}));
+}
+
+TEST(Domain, FeetAreExactlyOnTheirEdgeAndNearestToThePoint) {
+  RandomIntegers random(2);
+  std::uint64_t tried = 0;
+  for (const Polygon& polygon : samples()) {
+    const Domain domain = domain_of(polygon);
+    for (EdgeId e = 0; e < domain.size(); ++e) {
+      const RationalPoint a = in_units(domain, e);
+      const RationalPoint b = in_units(domain, domain.next(e));
+      const Rational dx = b.x - a.x;
+      const Rational dy = b.y - a.y;
+      const Rational square = dx * dx + dy * dy;
+      const bool x = domain.runs_in_x(e);
+      EXPECT_EQ(x, abs(dx) >= abs(dy));
+      for (const LatticePoint p : probes(domain, e, random)) {
+        const std::int64_t foot = domain.foot(e, p);
+        const RationalPoint q = rational(p);
+        const Rational t = ((q.x - a.x) * dx + (q.y - a.y) * dy) / square;
+        const Rational nearest = x ? a.x + t * dx : a.y + t * dy;
+        const double distance = std::abs(nearest_double(nearest - Rational(foot)));
+        EXPECT_LE(distance, 0.5 + 0x1p-49 * std::abs(domain.height(e, p)));
+        if (!domain.on_edge(e, foot)) continue;
+        ++tried;
+        const Rational unit = dyadic(1, domain.root().exponent);
+        const RationalPoint exact = domain.foot_exact(e, foot);
+        const RationalPoint units{exact.x / unit, exact.y / unit};
+        EXPECT_EQ(cross_of(a, b, units), 0);
+        EXPECT_EQ(x ? units.x : units.y, Rational(foot));
+        const Rational along = ((units.x - a.x) * dx + (units.y - a.y) * dy) / square;
+        EXPECT_TRUE(0 < along && along < 1);
+        const FinePoint fine = domain.foot_point(e, foot);
+        EXPECT_TRUE(0 <= fine.fraction.x && fine.fraction.x <= 1);
+        EXPECT_TRUE(0 <= fine.fraction.y && fine.fraction.y <= 1);
+        EXPECT_NEAR(nearest_double(units.x - Rational(fine.floor.x)), fine.fraction.x, 0x1p-50);
+        EXPECT_NEAR(nearest_double(units.y - Rational(fine.floor.y)), fine.fraction.y, 0x1p-50);
+        // Their order is that along the edge; the height of the point is rounded twice.
+        const double step = 1000 * std::sqrt(nearest_double((x ? dx * dx : dy * dy) / square));
+        const std::int64_t further = domain.foot(e, p, 1000);
+        EXPECT_NEAR(static_cast<double>(domain.along(e, further) - domain.along(e, foot)), step,
+                    2 + 0x1p-48 * std::abs(domain.height(e, p)));
+      }
+    }
+  }
+  EXPECT_GT(tried, 200U);
+}
+
+// --- place_root
+// -----------------------------------------------------------------------------------
+
+double side_of(const RootSquare& root) { return std::ldexp(1.0, root.side_bits + root.exponent); }
+
+TEST(PlaceRoot, AShiftedSquareHoldsThePointsWithATwelfthToSpare) {
+  for (const Polygon& polygon : samples())
+    for (const RootShift shift :
+         {RootShift{3, 5}, RootShift{5, 3}, RootShift{7, 11}, RootShift{11, 9}}) {
+      const std::vector<Point> points = vertices_of(polygon);
+      const RootSquare root = place_root(points, shift).root;
+      const double side = side_of(root);
+      const Rational unit = dyadic(1, root.exponent);
+      const RationalPoint corner{Rational(root.corner.x) * unit, Rational(root.corner.y) * unit};
+      const Rational step = exact_value(side) * dyadic(1, -26);
+      EXPECT_EQ(denominator(Rational(corner.x / step)), 1);
+      EXPECT_EQ(denominator(Rational(corner.y / step)), 1);
+      const Rational border = exact_value(side) / 12;
+      for (const Point& point : points) {
+        const RationalPoint p = exact_value(point);
+        for (const Rational& inside : {Rational(p.x - corner.x), Rational(p.y - corner.y)})
+          EXPECT_TRUE(border <= inside && inside <= exact_value(side) - border);
+      }
+      for (const Point& p : points)
+        for (const Point& q : points) EXPECT_LE(1.5 * std::max(p.x - q.x, p.y - q.y), side);
+    }
+}
+
+TEST(PlaceRoot, AShiftMovesTheSquareByPartsOfASixteenth) {
+  const std::vector<Point> points{{0, 0}, {1, 1}};
+  const RootSquare plain = place_root(points).root;
+  const RootSquare shifted = place_root(points, {3, 5}).root;
+  const double sixteenth = side_of(plain) / 16;
+  const auto corner_x = [](const RootSquare& r) { return nearest_double(r.corner.x, r.exponent); };
+  const auto corner_y = [](const RootSquare& r) { return nearest_double(r.corner.y, r.exponent); };
+  EXPECT_NEAR(corner_x(plain) - corner_x(shifted), sixteenth / 3, 0x1p-25 * side_of(plain));
+  EXPECT_NEAR(corner_y(plain) - corner_y(shifted), sixteenth / 5, 0x1p-25 * side_of(plain));
+}
+
+// --- on a tree
+// ------------------------------------------------------------------------------------
+
+/// A domain with its tree, as DomainMesher starts with it, or after edge separation.
+class Stage {
+ public:
+  explicit Stage(Domain domain)
+      : domain_(std::move(domain)), separation_(placed(domain_), Budget{}) {
+    separation_.apply_conditions();
+    separation_.refine_five_by_five();
+    remake();
+  }
+
+  /// Until no edges are too close and K does not meet itself.
+  void separate() {
+    for (;;) {
+      std::vector<Cell> split;
+      const auto faults = separation_faults(domain_, *tree_mesh_, *cut_quads_);
+      for (const SeparationFault& fault : faults) split.push_back(fault.split);
+      if (faults.empty())
+        for (const VertexId v : keep_quads(*tree_mesh_, *cut_quads_).pinched)
+          split.push_back(tree_mesh_->leaf_of(v));
+      if (split.empty()) return;
+      separation_.refine(split);
+      remake();
+    }
+  }
+
+  [[nodiscard]] const Domain& domain() const { return domain_; }
+  [[nodiscard]] const TreeMesh& tree_mesh() const { return *tree_mesh_; }
+  [[nodiscard]] const CutQuads& cut_quads() const { return *cut_quads_; }
+
+  /// A vertex of the domain at its own place, not rounded.
+  [[nodiscard]] RationalPoint place(VertexId v) const {
+    if (tree_mesh_->is_site(v)) return in_units(domain_, tree_mesh_->site_near(v));
+    return rational(tree_mesh_->at(v));
+  }
+
+ private:
+  static PlacedPoints placed(const Domain& domain) {
+    PlacedPoints points{domain.root(), {}, {}};
+    for (EdgeId v = 0; v < domain.size(); ++v) {
+      points.floors.push_back(domain.floor(v));
+      points.rounded.push_back(domain.rounded(v));
+    }
+    return points;
+  }
+  void remake() {
+    tree_mesh_ = std::make_unique<TreeMesh>(domain_, separation_, counters_);
+    cut_quads_ = std::make_unique<CutQuads>(domain_, *tree_mesh_);
+  }
+
+  Domain domain_;
+  Separation separation_;
+  Counters counters_;
+  std::unique_ptr<TreeMesh> tree_mesh_;
+  std::unique_ptr<CutQuads> cut_quads_;
+};
+
+TEST(Quadtree, TheLeafAtAPointHoldsIt) {
+  RandomIntegers random(3);
+  for (const Polygon& polygon : samples()) {
+    const Stage stage(domain_of(polygon));
+    const Quadtree& tree = stage.tree_mesh().tree();
+    const RootSquare& root = tree.root();
+    std::vector<LatticePoint> points;
+    for (int i = 0; i < 500; ++i)
+      points.push_back({root.corner.x + random.bits(root.side_bits),
+                        root.corner.y + random.bits(root.side_bits)});
+    for (const Quadtree::Block& block : tree.blocks()) points.push_back(block.corner);
+    for (const LatticePoint p : points) {
+      const Cell leaf = tree.leaf_at(p);
+      ASSERT_TRUE(tree.is_leaf(leaf));
+      const LatticePoint corner = tree.corner(leaf);
+      const std::int64_t side = std::int64_t{1} << tree.side_bits(leaf);
+      EXPECT_TRUE(corner.x <= p.x && p.x < corner.x + side);
+      EXPECT_TRUE(corner.y <= p.y && p.y < corner.y + side);
+    }
+  }
+}
+
+TEST(TreeMesh, ListsTheQuadsOfEveryVertexAndPlacesTheSites) {
+  for (const Polygon& polygon : samples()) {
+    const Stage stage(domain_of(polygon));
+    const TreeMesh& tree_mesh = stage.tree_mesh();
+    std::vector<std::vector<QuadId>> expected(tree_mesh.mesh().vertices.size());
+    for (QuadId quad = 0; quad < tree_mesh.mesh().quads.size(); ++quad)
+      for (const VertexId v : tree_mesh.mesh().quads[quad]) expected[v].push_back(quad);
+    for (VertexId v = 0; v < expected.size(); ++v) {
+      const auto listed = tree_mesh.quads_at(v);
+      EXPECT_EQ(std::vector<QuadId>(listed.begin(), listed.end()), expected[v]);
+    }
+    for (EdgeId site = 0; site < stage.domain().size(); ++site) {
+      const VertexId v = tree_mesh.vertex_of(site);
+      EXPECT_EQ(tree_mesh.at(v), stage.domain().floor(site));
+      EXPECT_EQ(tree_mesh.centre(tree_mesh.cell_of(site)), v);
+      EXPECT_EQ(tree_mesh.leaf_of(v), tree_mesh.cell_of(site));
+      EXPECT_EQ(tree_mesh.site_near(v), site);
+      EXPECT_TRUE(tree_mesh.is_site(v));
+    }
+  }
+}
+
+/// The part of an edge's line within a quad that is not all on its right: parameters, 0 at the
+/// start of the edge.
+std::optional<std::pair<Rational, Rational>> part_within(const Stage& stage, const Quad& quad,
+                                                         EdgeId e) {
+  const RationalPoint a = in_units(stage.domain(), e);
+  const RationalPoint b = in_units(stage.domain(), stage.domain().next(e));
+  const Rational dx = b.x - a.x;
+  const Rational dy = b.y - a.y;
+  std::array<Rational, 4> h;
+  std::array<Rational, 4> t;
+  for (unsigned k = 0; k < 4; ++k) {
+    const RationalPoint p = stage.place(quad[k]);
+    h[k] = cross_of(a, b, p);
+    t[k] = ((p.x - a.x) * dx + (p.y - a.y) * dy) / (dx * dx + dy * dy);
+  }
+  if (*std::ranges::max_element(h) <= 0) return std::nullopt;
+  std::vector<Rational> crossings;
+  for (unsigned k = 0; k < 4; ++k) {
+    const unsigned m = (k + 1) & 3U;
+    if (h[k] == 0) crossings.push_back(t[k]);
+    if (sign_of(h[k]) * sign_of(h[m]) < 0)
+      crossings.push_back(t[k] + (t[m] - t[k]) * h[k] / (h[k] - h[m]));
+  }
+  if (crossings.empty()) return std::nullopt;
+  return std::pair{*std::ranges::min_element(crossings), *std::ranges::max_element(crossings)};
+}
+
+bool cuts(const std::pair<Rational, Rational>& part) {
+  const auto& [from, to] = part;
+  return from == to ? 0 < from && from < 1 : 0 < to && from < 1;
+}
+
+Where where_exactly(const Stage& stage, VertexId v) {
+  if (stage.tree_mesh().is_site(v)) return Where::kBoundary;
+  const RationalPoint p = stage.place(v);
+  bool odd = false;
+  for (EdgeId e = 0; e < stage.domain().size(); ++e) {
+    const RationalPoint a = in_units(stage.domain(), e);
+    const RationalPoint b = in_units(stage.domain(), stage.domain().next(e));
+    const int side = sign_of(cross_of(a, b, p));
+    const Rational forward = (p.x - a.x) * (b.x - a.x) + (p.y - a.y) * (b.y - a.y);
+    const Rational backward = (p.x - b.x) * (a.x - b.x) + (p.y - b.y) * (a.y - b.y);
+    if (side == 0 && forward >= 0 && backward >= 0) return Where::kBoundary;
+    if ((a.y <= p.y) == (b.y <= p.y)) continue;
+    if ((side > 0) == (b.y > a.y)) odd = !odd;  // crosses the ray to the east
+  }
+  return odd ? Where::kInside : Where::kOutside;
+}
+
+TEST(CutQuads, AgainstAllPairsOfQuadsAndEdges) {
+  for (const Polygon& polygon : samples()) {
+    const Stage stage(domain_of(polygon));
+    const CutQuads& cut_quads = stage.cut_quads();
+    const Mesh& mesh = stage.tree_mesh().mesh();
+    std::vector<std::pair<QuadId, EdgeId>> expected;
+    std::set<Above> above;
+    for (QuadId quad = 0; quad < mesh.quads.size(); ++quad) {
+      bool is_cut = false;
+      for (EdgeId e = 0; e < stage.domain().size(); ++e) {
+        const auto part = part_within(stage, mesh.quads[quad], e);
+        if (!part || !cuts(*part)) continue;
+        expected.emplace_back(quad, e);
+        is_cut = true;
+        for (const VertexId v : mesh.quads[quad])
+          if (where_exactly(stage, v) == Where::kInside &&
+              stage.domain().side(e, stage.tree_mesh().at(v)) > 0)
+            above.insert({v, e});
+      }
+      EXPECT_EQ(cut_quads.is_cut(quad), is_cut) << polygon.file << ", quad " << quad;
+    }
+    std::vector<std::pair<QuadId, EdgeId>> found;
+    for (const Cut& cut : cut_quads.cuts()) {
+      found.emplace_back(cut.quad, cut.edge);
+      const auto part = part_within(stage, mesh.quads[cut.quad], cut.edge);
+      ASSERT_TRUE(part) << polygon.file;
+      EXPECT_NEAR(cut.from, nearest_double(part->first), 1e-9);
+      EXPECT_NEAR(cut.to, nearest_double(part->second), 1e-9);
+    }
+    EXPECT_EQ(found, expected) << polygon.file;
+    EXPECT_TRUE(std::ranges::equal(cut_quads.all_above(), above)) << polygon.file;
+    for (VertexId v = 0; v < mesh.vertices.size(); ++v)
+      ASSERT_EQ(cut_quads.where(v), where_exactly(stage, v)) << polygon.file << ", vertex " << v;
+  }
+}
+
+TEST(CutQuads, EdgesAlongSidesAndThroughVerticesOfQuads) {
+  // With no shift the sides of this square run through mesh vertices all along.
+  const Polygon polygon = normalised({"square", {{{0, 0}, {8, 0}, {8, 8}, {0, 8}}}});
+  const Domain domain = domain_of(polygon, {});
+  Separation separation(
+      {domain.root(), place_root(vertices_of(polygon)).floors, std::vector<bool>(domain.size())},
+      Budget{});
+  separation.apply_conditions();
+  separation.refine_five_by_five();
+  Counters counters;
+  const TreeMesh tree_mesh(domain, separation, counters);
+  const CutQuads cut_quads(domain, tree_mesh);
+  std::uint64_t inside = 0;
+  for (VertexId v = 0; v < tree_mesh.mesh().vertices.size(); ++v) {
+    const LatticePoint at = tree_mesh.at(v);
+    const LatticePoint low = domain.floor(0);
+    const LatticePoint high = domain.floor(2);
+    const bool out = at.x < low.x || at.x > high.x || at.y < low.y || at.y > high.y;
+    const bool in = low.x < at.x && at.x < high.x && low.y < at.y && at.y < high.y;
+    EXPECT_EQ(cut_quads.where(v), out ? Where::kOutside : in ? Where::kInside : Where::kBoundary);
+    inside += in ? 1U : 0U;
+  }
+  EXPECT_GT(inside, 4U);
+}
+
+TEST(KeptQuads, AlphasCloseWithKOnTheirLeftAndThereIsOneForEachRing) {
+  for (const Polygon& polygon : samples()) {
+    Stage stage(non_acute_domain_of(polygon));
+    stage.separate();
+    const Mesh& mesh = stage.tree_mesh().mesh();
+    const KeptQuads kept = keep_quads(stage.tree_mesh(), stage.cut_quads());
+    std::set<std::pair<VertexId, VertexId>> sides;
+    for (QuadId quad = 0; quad < mesh.quads.size(); ++quad) {
+      const Quad& q = mesh.quads[quad];
+      const bool keep =
+          !stage.cut_quads().is_cut(quad) && std::ranges::all_of(q, [&stage](VertexId v) {
+            return stage.cut_quads().where(v) == Where::kInside;
+          });
+      EXPECT_EQ(kept.is_kept[quad], keep);
+      if (!keep) continue;
+      for (unsigned k = 0; k < 4; ++k) sides.emplace(q[k], q[(k + 1) & 3U]);
+    }
+    std::set<std::pair<VertexId, VertexId>> boundary;
+    for (const auto& [a, b] : sides)
+      if (!sides.contains({b, a})) boundary.emplace(a, b);
+    std::set<std::pair<VertexId, VertexId>> along;
+    std::set<VertexId> met;
+    for (const std::vector<VertexId>& alpha : kept.alphas)
+      for (std::size_t i = 0; i < alpha.size(); ++i) {
+        along.emplace(alpha[i], alpha[(i + 1) % alpha.size()]);
+        EXPECT_TRUE(met.insert(alpha[i]).second) << polygon.file;
+      }
+    EXPECT_EQ(along, boundary) << polygon.file;
+    EXPECT_EQ(kept.alphas.size(), polygon.rings.size()) << polygon.file;
+  }
+}
+
+// --- pieces of the strip
+// --------------------------------------------------------------------------
+
+/// A quad in lattice units, with feet where they exactly are.
+bool is_within_bounds(const std::array<RationalPoint, 4>& quad) {
+  for (unsigned k = 0; k < 4; ++k)
+    if (!within(corner_at<Rational>(quad[k], quad[(k + 1) & 3U], quad[(k + 3) & 3U]), kTheorem13))
+      return false;
+  return true;
+}
+
+RationalPoint exact_foot(const Domain& domain, EdgeId e, std::int64_t foot) {
+  const Rational unit = dyadic(1, domain.root().exponent);
+  const RationalPoint exact = domain.foot_exact(e, foot);
+  return {exact.x / unit, exact.y / unit};
+}
+
+TEST(StripPieces, APentagonHasTheSlackItSaysAndKeepsTheBounds) {
+  RandomIntegers random(5);
+  const Polygon polygon = normalised({"p", {{{0, 0}, {8, 1}, {6, 9}, {-1, 7}}}});
+  const Domain domain = domain_of(polygon);
+  std::uint64_t meshed = 0;
+  for (int round = 0; round < 400; ++round) {
+    const auto e = static_cast<EdgeId>(random.below(4));
+    const Vector d = domain.direction(e);
+    const Vector u = (1 / length(d)) * d;
+    const double size = length(d) / 16;
+    const auto jitter = [&random, size] {
+      return 0.35 * size * static_cast<double>(random.between(-100, 100)) / 100;
+    };
+    const FinePoint middle = {
+        {domain.floor(e).x + std::llround(d.x / 2), domain.floor(e).y + std::llround(d.y / 2)}, {}};
+    const auto point = [&](double along, double up) {
+      return nearest_lattice_point(middle, along * u + up * turned_left(u));
+    };
+    const LatticePoint a = point(-size + jitter(), size + jitter());
+    const LatticePoint b = point(jitter(), 1.4 * size + jitter());
+    const LatticePoint c = point(size + jitter(), size + jitter());
+    const std::int64_t fx = domain.foot(e, a, jitter());
+    const std::int64_t fy = domain.foot(e, c, jitter());
+    const FinePoint x = domain.foot_point(e, fx);
+    const FinePoint y = domain.foot_point(e, fy);
+    const auto made = mesh_pentagon(domain, e, x, y, a, b, c, kSmallestSlack);
+    if (!made) continue;
+    ++meshed;
+    EXPECT_GT(made->slack, kSmallestSlack);
+    EXPECT_LT(domain.along(e, fx), domain.along(e, made->foot));
+    EXPECT_LT(domain.along(e, made->foot), domain.along(e, fy));
+    const FinePoint z = domain.foot_point(e, made->foot);
+    const FinePoint s = on_lattice(made->steiner);
+    const double slack =
+        std::min({quad_slack(std::array{x, z, s, on_lattice(a)}),
+                  quad_slack(std::array{z, y, on_lattice(c), s}),
+                  quad_slack(std::array{on_lattice(a), s, on_lattice(c), on_lattice(b)})});
+    EXPECT_DOUBLE_EQ(made->slack, slack);
+    const RationalPoint ex = exact_foot(domain, e, fx);
+    const RationalPoint ey = exact_foot(domain, e, fy);
+    const RationalPoint ez = exact_foot(domain, e, made->foot);
+    const RationalPoint es = rational(made->steiner);
+    EXPECT_TRUE(is_within_bounds({ex, ez, es, rational(a)}));
+    EXPECT_TRUE(is_within_bounds({ez, ey, rational(c), es}));
+    EXPECT_TRUE(is_within_bounds({rational(a), es, rational(c), rational(b)}));
+    // Asked for more than that, it has none.
+    EXPECT_FALSE(mesh_pentagon(domain, e, x, y, a, b, c, 0.9));
+  }
+  EXPECT_GT(meshed, 100U);
+}
+
+TEST(StripPieces, AHexagonHasTheSlackItSaysAndKeepsTheBounds) {
+  RandomIntegers random(6);
+  std::uint64_t meshed = 0;
+  for (int round = 0; round < 400; ++round) {
+    const auto jittered = [&random](double value) {
+      return std::llround(std::ldexp(value, 40)) + random.between(-1, 1) * random.bits(37);
+    };
+    // Around v, counter-clockwise; the inside is above x, v, y.
+    const LatticePoint x{jittered(-1), jittered(0)};
+    const LatticePoint v{0, 0};
+    const LatticePoint y{jittered(1), jittered(0)};
+    const LatticePoint c{jittered(1), jittered(1)};
+    const LatticePoint b{jittered(0), jittered(1.5)};
+    const LatticePoint a{jittered(-1), jittered(1)};
+    const auto made = mesh_hexagon(on_lattice(x), on_lattice(v), on_lattice(y), a, b, c);
+    if (!made || made->slack <= kSmallestSlack) continue;
+    ++meshed;
+    const FinePoint s = on_lattice(made->steiner);
+    const double slack =
+        std::min({quad_slack(std::array{on_lattice(x), on_lattice(v), s, on_lattice(a)}),
+                  quad_slack(std::array{on_lattice(v), on_lattice(y), on_lattice(c), s}),
+                  quad_slack(std::array{s, on_lattice(c), on_lattice(b), on_lattice(a)})});
+    EXPECT_DOUBLE_EQ(made->slack, slack);
+    const RationalPoint es = rational(made->steiner);
+    EXPECT_TRUE(is_within_bounds({rational(x), rational(v), es, rational(a)}));
+    EXPECT_TRUE(is_within_bounds({rational(v), rational(y), rational(c), es}));
+    EXPECT_TRUE(is_within_bounds({es, rational(c), rational(b), rational(a)}));
+  }
+  EXPECT_GT(meshed, 100U);
+}
+
+// --- SizeField
+// ------------------------------------------------------------------------------------
+
+TEST(SizeField, IsTheSmallestOfAllThatIsAskedFor) {
+  const Polygon polygon = normalised({"square", {{{0, 0}, {8, 0}, {8, 8}, {0, 8}}}});
+  EXPECT_TRUE(SizeField(Sizing{}, polygon).is_free());
+  Sizing sizing;
+  sizing.largest = 2;
+  sizing.sources = {{{4, 4}, {4, 4}, 0.25, 0.5}, {{6, 2}, {7, 2}, 0.125, 0}};
+  sizing.boundary_size = 0.5;
+  sizing.boundary_growth = 1;
+  const SizeField everywhere(sizing, polygon);
+  EXPECT_FALSE(everywhere.is_free());
+  EXPECT_DOUBLE_EQ(everywhere.size_at({4, 4}), 0.125);  // that of the segment, which has no growth
+  sizing.sources.pop_back();
+  const SizeField field(sizing, polygon);
+  EXPECT_DOUBLE_EQ(field.size_at({4, 4}), 0.25);
+  EXPECT_DOUBLE_EQ(field.size_at({5, 4}), 0.75);
+  EXPECT_DOUBLE_EQ(field.size_at({6.5, 4}), 1.5);
+  EXPECT_DOUBLE_EQ(field.size_at({4, 0}), 0.5);
+  EXPECT_DOUBLE_EQ(field.size_at({4, 0.5}), 1);
+  EXPECT_DOUBLE_EQ(field.size_at({0.25, 7}), 0.75);
+}
+
+}  // namespace
+}  // namespace quadbound
