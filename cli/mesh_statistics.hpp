@@ -16,7 +16,7 @@ namespace quadbound::cli {
 ///   "quads_per_cell";
 /// - "degrees": number of vertices by their number of edges;
 /// - "scaled_jacobian" and "aspect_ratio" (model/quad_shape.hpp): "smallest", "mean", "largest" and
-///   a "histogram" of [lower end, upper end, quads];
+///   a "histogram" of [lower end, upper end, quads], where the last class has no upper end;
 /// - "constructions": quads by the construction they come from;
 /// - "section_3_4": for polygons, what the mesher did (PolygonCounters).
 ///

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// The numbers of the paper's Section 2 beside ours.
+// The paper's numbers beside ours.
 
 #include <string>
 #include <string_view>
@@ -13,8 +13,10 @@ namespace quadbound {
 enum class PaperVerdict {
   kHolds,
   kHoldsAfterRepair,
-  kDiffers,  ///< by what `why` says, no failure
-  kFails,    ///< a claim of ours failed
+  kOwnPolygon,       ///< reproduced on a polygon of ours of the same kind
+  kNotReproducible,  ///< `why` says what the paper does not give
+  kDiffers,          ///< by what `why` says, no failure
+  kFails,            ///< a claim of ours failed
 };
 
 struct PaperClaim {
@@ -26,8 +28,8 @@ struct PaperClaim {
   std::string why;  ///< what was repaired, or why it differs
 };
 
-/// Guarantees: 1. one entry per number that Section 2 and Fig. 10 give. 2. kFails exactly where
-/// something that we claim to hold does not.
+/// Guarantees: 1. one entry per number that Section 2, Section 5 and Figures 10 and 46 to 53 give.
+/// 2. kFails exactly where something that we claim to hold does not.
 std::vector<PaperClaim> compare_with_paper(const Reproduction& reproduction);
 
 std::string verdict_text(const PaperClaim& claim);

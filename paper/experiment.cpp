@@ -20,20 +20,6 @@ double ratio(std::uint64_t a, std::uint64_t b) {
   return static_cast<double>(a) / static_cast<double>(b);
 }
 
-Corner<Rational> worst_corner(const Report& report, std::string_view id) {
-  const Claim* claim = report.find(id);
-  if (claim == nullptr || !claim->worst)
-    throw std::runtime_error(fmt::format("the report has no extreme corner for {}", id));
-  return {claim->worst->cross, claim->worst->dot};
-}
-
-std::vector<std::string> broken_claims(const Report& report) {
-  std::vector<std::string> broken;
-  for (const Claim& claim : report.claims)
-    if (claim.exact != Verdict::holds && claim.id != report.theorem) broken.push_back(claim.id);
-  return broken;
-}
-
 /// Corner i of a quad.
 Corner<Rational> corner_of(const Mesh& mesh, const Quad& quad, std::size_t i) {
   return corner_at<Rational>(mesh.vertices.exact(quad[i]), mesh.vertices.exact(quad[(i + 1) % 4]),
@@ -105,6 +91,20 @@ JudgedMesh run_trial(const Trial& trial, const PointSet& points, unsigned thread
   if (trial.warping == Warping::kPaper) measure_at_points(m, made);
   judged.mesh = std::move(made.mesh);
   return judged;
+}
+
+Corner<Rational> worst_corner(const Report& report, std::string_view id) {
+  const Claim* claim = report.find(id);
+  if (claim == nullptr || !claim->worst)
+    throw std::runtime_error(fmt::format("the report has no extreme corner for {}", id));
+  return {claim->worst->cross, claim->worst->dot};
+}
+
+std::vector<std::string> broken_claims(const Report& report) {
+  std::vector<std::string> broken;
+  for (const Claim& claim : report.claims)
+    if (claim.exact != Verdict::holds && claim.id != report.theorem) broken.push_back(claim.id);
+  return broken;
 }
 
 }  // namespace quadbound

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "algo/mesh_points.hpp"
@@ -55,5 +56,11 @@ PointSet points_of(const Trial& trial, std::uint64_t n);
 /// Guarantees: 1. the same points and trial give the same result, whatever the threads.
 /// Errors: std::runtime_error with the mesher's refusal.
 JudgedMesh run_trial(const Trial& trial, const PointSet& points, unsigned threads);
+
+/// The extreme corner of an angle claim. Errors: std::runtime_error where the report has none.
+Corner<Rational> worst_corner(const Report& report, std::string_view id);
+
+/// Ids of the claims that do not hold, but for the theorem, their conjunction.
+std::vector<std::string> broken_claims(const Report& report);
 
 }  // namespace quadbound

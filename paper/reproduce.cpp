@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "paper/reproduce.hpp"
 
-#include <chrono>
+#include <array>
 #include <filesystem>
 #include <sstream>
 #include <system_error>
@@ -21,20 +21,49 @@ namespace fs = std::filesystem;
 /// The part of the lake that is magnified: Isle Royale and the mainland north of it.
 constexpr PictureWindow kMagnified{{2.3, 1.75}, {3.0, 2.45}};
 
-/// Dots along the square's border, close enough to make a line.
-std::vector<Point> square_dots(const PictureWindow& window) {
+/// What Figures 51 to 53 show: a narrow passage between an island and the shore, the canal's side
+/// of the Keweenaw peninsula, and the south-east with Whitefish Bay.
+struct Zoom {
+  const char* id;
+  const char* where;
+  PictureWindow window;
+};
+constexpr std::array<Zoom, 3> kZooms{
+    {{"fig-51", "the passage beside St. Ignace Island", {{3.12, 2.55}, {3.69, 3.06}}},
+     {"fig-52", "Keweenaw Bay", {{2.95, 0.58}, {3.49, 1.12}}},
+     {"fig-53", "Whitefish Bay", {{5.33, 0.39}, {5.86, 1.02}}}}};
+
+/// Close enough to make a line.
+void add_dots(std::vector<Point>& dots, const Point& a, const Point& b) {
   constexpr int kDots = 40;
-  std::vector<Point> dots;
   for (int i = 0; i <= kDots; ++i) {
     const double share = static_cast<double>(i) / kDots;
-    const double x = window.low.x + share * (window.high.x - window.low.x);
-    const double y = window.low.y + share * (window.high.y - window.low.y);
-    dots.push_back({x, window.low.y});
-    dots.push_back({x, window.high.y});
-    dots.push_back({window.low.x, y});
-    dots.push_back({window.high.x, y});
+    dots.push_back({a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)});
   }
+}
+
+/// Dots along the square's border.
+void add_square_dots(std::vector<Point>& dots, const PictureWindow& window) {
+  const Point& low = window.low;
+  const Point& high = window.high;
+  add_dots(dots, low, {low.x, high.y});
+  add_dots(dots, low, {high.x, low.y});
+  add_dots(dots, {low.x, high.y}, high);
+  add_dots(dots, {high.x, low.y}, high);
+}
+
+std::vector<Point> outline_dots(const Polygon& polygon) {
+  std::vector<Point> dots;
+  for (const Ring& ring : polygon.rings)
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      add_dots(dots, ring[i], ring[(i + 1) % ring.size()]);
   return dots;
+}
+
+std::vector<Point> vertices_of(const Polygon& polygon) {
+  std::vector<Point> points;
+  for (const Ring& ring : polygon.rings) points.insert(points.end(), ring.begin(), ring.end());
+  return points;
 }
 
 class ResultFolder {
@@ -65,16 +94,68 @@ std::string write_pictures(const ResultFolder& folder, const std::string& name, 
   return png.str();
 }
 
+/// Writes NAME.svg and NAME.pdf; the former for the report.
+DocumentPicture write_polygon_picture(const ResultFolder& folder, const std::string& name,
+                                      const std::string& caption, const Mesh& mesh,
+                                      const PictureOptions& options) {
+  std::ostringstream svg;
+  write_svg(svg, mesh, options);
+  folder.write(name + ".svg", svg.str());
+  std::ostringstream pdf;
+  write_pdf(pdf, mesh, options);
+  folder.write(name + ".pdf", pdf.str());
+  return {name + ".svg", caption, svg.str()};
+}
+
+std::vector<DocumentPicture> write_polygon_pictures(const ResultFolder& folder,
+                                                    const Reproduction& r) {
+  std::vector<DocumentPicture> pictures;
+  const auto add = [&](const char* name, const std::string& caption, const Mesh& mesh,
+                       const PictureOptions& options) {
+    pictures.push_back(write_polygon_picture(folder, name, name + (": " + caption), mesh, options));
+  };
+  const JudgedPolygonMesh& blob = r.polygon("fig-46");
+  const JudgedPolygonMesh& lake = r.polygon("fig-50");
+  PictureOptions plain;
+  plain.width = 1000;
+  PictureOptions outline = plain;
+  outline.points = outline_dots(blob.polygon);
+  PictureOptions squares = plain;
+  squares.width = 1600;
+  for (const Zoom& zoom : kZooms) add_square_dots(squares.points, zoom.window);
+  add("fig-46", "a polygon of 19 edges with a hole and no acute angle.", blob.mesh, plain);
+  add("fig-47", "the mesh of its vertices by Theorem 1; dots are the polygon.", r.fig_47->mesh,
+      outline);
+  add("fig-48",
+      "the quads that are kept before edges and corners are inserted; their boundary is "
+      "the chain alpha.",
+      without_strips(blob.mesh), outline);
+  add("fig-49", "a spiral of 33 edges without acute angles.", r.polygon("fig-49").mesh, plain);
+  add("fig-50", "Lake Superior with 303 edges; the squares are shown below.", lake.mesh, squares);
+  for (const Zoom& zoom : kZooms) {
+    PictureOptions zoomed = plain;
+    zoomed.window = zoom.window;
+    zoomed.points = vertices_of(lake.polygon);
+    add(zoom.id, std::string(zoom.where) + "; dots are the polygon's vertices.", lake.mesh, zoomed);
+  }
+  PictureOptions coloured;
+  coloured.colour = PictureColour::kMinAngle;
+  add("plate", "a plate with a round hole, the picture of README.md.", r.polygon("plate").mesh,
+      coloured);
+  return pictures;
+}
+
 ReportPictures write_all_pictures(const ResultFolder& folder, const Reproduction& r) {
   ReportPictures pictures;
   PictureOptions whole;
-  whole.points = square_dots(kMagnified);
+  add_square_dots(whole.points, kMagnified);
   pictures.whole = write_pictures(folder, "fig-10-whole", r.lake->mesh, whole);
   PictureOptions magnified;
   magnified.window = kMagnified;
   magnified.points = r.lake_points.points;
   magnified.width = 1000;
   pictures.magnified = write_pictures(folder, "fig-10-magnified", r.lake->mesh, magnified);
+  pictures.polygons = write_polygon_pictures(folder, r);
   pictures.chart = cells_per_point_chart(r);
   folder.write("n-against-N.svg", pictures.chart);
   return pictures;
@@ -88,18 +169,20 @@ ReproduceResult reproduce(const ReproduceOptions& options, Watcher& watcher) {
   watcher.stage("writing");
   const Provenance provenance{options.command, build_commit()};
   folder.write("fig-10-report.json", to_json(r.lake->report));
+  for (const PolygonFigure& figure : r.polygons)
+    folder.write(figure.id + "-report.json", to_json(figure.judged.report));
   folder.write("n-against-N.csv", n_against_n_csv(r));
   folder.write("reproduction.json", reproduction_json(r, provenance));
   folder.write("machine.json", machine_json(r));
   const Document report = reproduction_report(r, provenance, write_all_pictures(folder, r));
   folder.write("reproduction.md", to_markdown(report));
-  folder.write("reproduction.html", to_html(report, "Section 2 of the paper, reproduced"));
+  folder.write("reproduction.html", to_html(report, "The paper, reproduced"));
   return {r.holds(), compare_with_paper(r), folder.file("reproduction.html")};
 }
 
 std::string find_data_folder() {
   const auto has_lake = [](const fs::path& folder) {
-    return fs::exists(folder / "superior-303.csv");
+    return fs::exists(folder / "superior-303.csv") && fs::exists(folder / "superior-303.geojson");
   };
   std::error_code error;
   for (fs::path at = fs::current_path(error); !error; at = at.parent_path()) {
@@ -109,7 +192,8 @@ std::string find_data_folder() {
   }
   if (has_lake(QUADBOUND_PAPER_DATA)) return QUADBOUND_PAPER_DATA;
   throw InputError({"paper/data", {}, {}},
-                   "no superior-303.csv here or in a folder above; --data says where it is");
+                   "no superior-303.csv and superior-303.geojson here or in a folder above; --data "
+                   "says where it is");
 }
 
 std::string build_commit() { return kCommit; }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// `quadbound reproduce`: measures Section 2 of the paper again and writes the results.
+// `quadbound reproduce`: measures what the paper reports again and writes the results.
 
 #include <string>
 #include <vector>
@@ -23,8 +23,9 @@ struct ReproduceResult {
   std::string report;  ///< the HTML file
 };
 
-/// Files: fig-10-whole and fig-10-magnified (.svg, .png), fig-10-report.json, n-against-N (.csv,
-/// .svg), reproduction (.json, .md, .html), machine.json.
+/// Files: fig-10-whole and fig-10-magnified (.svg, .png), fig-46 to fig-53 and plate (.svg, .pdf),
+/// fig-10, fig-46, fig-49, fig-50, plate -report.json, n-against-N (.csv, .svg), reproduction
+/// (.json, .md, .html), machine.json.
 ///
 /// Guarantees: 1. the same options and data give the same bytes in every file but machine.json, on
 /// machines with the same graphics library. 2. Each file is written whole or not at all.

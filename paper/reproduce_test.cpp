@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// fig-10, 80n and the rest of `quadbound reproduce`, on a small scale.
+// fig-10, 80n, fig-46 to fig-53, table-2 and the rest of `quadbound reproduce`, on a small scale.
 #include "paper/reproduce.hpp"
 
 #include <gtest/gtest.h>
@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "model/errors.hpp"
@@ -66,7 +67,7 @@ TEST_F(Reproduce, SameBytesTwiceSaveTheMachine) {
         << name;
     ++compared;
   }
-  EXPECT_EQ(compared, 10U);
+  EXPECT_EQ(compared, 32U);
 }
 
 TEST_F(Reproduce, JsonHoldsTheNumbers) {
@@ -78,6 +79,35 @@ TEST_F(Reproduce, JsonHoldsTheNumbers) {
   EXPECT_EQ(json.at("theorem-1").at("unlisted"), 0);
   EXPECT_EQ(json.at("paper-warping").size(), 5U);
   for (const auto& run : json.at("n-against-N")) EXPECT_TRUE(run.at("proved").get<bool>());
+}
+
+TEST_F(Reproduce, PolygonsAreProvedAndOfThePapersSize) {
+  const auto json = nlohmann::json::parse(file("reproduction.json"));
+  const std::vector<std::pair<std::string, int>> edges{
+      {"fig-46", 19}, {"fig-49", 33}, {"fig-50", 303}, {"plate", 36}};
+  ASSERT_EQ(json.at("polygons").size(), edges.size());
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const auto& polygon = json.at("polygons").at(i);
+    EXPECT_EQ(polygon.at("id"), edges[i].first);
+    EXPECT_EQ(polygon.at("n"), edges[i].second);
+    EXPECT_TRUE(polygon.at("proved").get<bool>());
+    EXPECT_GE(polygon.at("smallest").at("degrees").get<double>(), 18.4349);
+    EXPECT_LE(polygon.at("largest").at("degrees").get<double>(), 171.8699);
+    std::uint64_t vertices = 0;
+    for (const auto& [degree, count] : polygon.at("degrees").items())
+      vertices += count.get<std::uint64_t>();
+    EXPECT_EQ(vertices, polygon.at("vertices").get<std::uint64_t>());
+    EXPECT_GE(polygon.at("scaled_jacobian").at("smallest").get<double>(), 0.1414);
+  }
+}
+
+TEST_F(Reproduce, EveryFigureHasItsPicture) {
+  for (const char* const name :
+       {"fig-46", "fig-47", "fig-48", "fig-49", "fig-50", "fig-51", "fig-52", "fig-53", "plate"}) {
+    EXPECT_NE(file(std::string(name) + ".svg").find("<svg"), std::string::npos) << name;
+    EXPECT_TRUE(file(std::string(name) + ".pdf").starts_with("%PDF")) << name;
+    EXPECT_NE(file("reproduction.md").find(std::string("](") + name + ".svg)"), std::string::npos);
+  }
 }
 
 TEST_F(Reproduce, CsvHasALineForEachMesh) {
@@ -99,7 +129,7 @@ TEST_F(Reproduce, ReportHasTheSameTablesInBothForms) {
 
 TEST_F(Reproduce, TimesAreInOneFileOnly) {
   const auto machine = nlohmann::json::parse(file("machine.json"));
-  EXPECT_EQ(machine.at("steps").size(), 6U);
+  EXPECT_EQ(machine.at("steps").size(), 7U);
   EXPECT_EQ(file("reproduction.json").find("seconds"), std::string::npos);
 }
 

@@ -11,7 +11,9 @@
 #include <utility>
 
 #include "generators/points.hpp"
+#include "generators/polygons.hpp"
 #include "model/read_points.hpp"
+#include "model/read_polygon.hpp"
 #include "model/validate.hpp"
 
 namespace quadbound {
@@ -55,6 +57,7 @@ class Measuring {
     step("thm-1: configurations",
          [this] { result_.theorem_1 = make_theorem_1_table(options_.trees, watcher_); });
     step("warping of the paper", [this] { warped(); });
+    step("thm-13: polygons", [this] { polygons(); });
     return std::move(result_);
   }
 
@@ -140,6 +143,33 @@ class Measuring {
     }
   }
 
+  void add_polygon(std::string id, std::string how, const Polygon& polygon) {
+    result_.polygons.push_back(
+        {std::move(id), std::move(how), judge_polygon_mesh(polygon, options_.threads)});
+  }
+
+  void add_generated(std::string id, std::string_view family, int n, int holes) {
+    add_polygon(
+        std::move(id), fmt::format("quadbound generate {} --n {} --holes {}", family, n, holes),
+        generate_polygon(
+            parse_polygon_recipe(fmt::format("{}:n={},seed=1,holes={}", family, n, holes))));
+  }
+
+  void polygons() {
+    add_generated("fig-46", "blob", 13, 1);  // a hole of a blob has 6 edges
+    add_generated("fig-49", "obtuse-spiral", 33, 0);
+    const auto path = std::filesystem::path(options_.data) / "superior-303.geojson";
+    Polygon lake = read_polygon(path.string());
+    lake.file = path.filename().string();
+    add_polygon("fig-50", "paper/data/superior-303.geojson", lake);
+    add_generated("plate", "plate", 4, 1);
+    PointSet vertices{"fig-46", {}};
+    for (const Ring& ring : result_.polygon("fig-46").polygon.rings)
+      vertices.points.insert(vertices.points.end(), ring.begin(), ring.end());
+    result_.fig_47 = run_trial({"fig-46", std::nullopt, GridRefinement::kFiveByFive}, vertices,
+                               options_.threads);
+  }
+
   const MeasureOptions& options_;
   Watcher& watcher_;
   Reproduction result_;
@@ -191,7 +221,15 @@ bool Group::proved() const {
 
 bool Reproduction::holds() const {
   return lake && lake->report.holds() && theorem_1.holds() &&
-         std::all_of(groups.begin(), groups.end(), [](const Group& g) { return g.proved(); });
+         std::all_of(groups.begin(), groups.end(), [](const Group& g) { return g.proved(); }) &&
+         std::all_of(polygons.begin(), polygons.end(),
+                     [](const PolygonFigure& f) { return f.judged.report.holds(); });
+}
+
+const JudgedPolygonMesh& Reproduction::polygon(std::string_view id) const {
+  return std::find_if(polygons.begin(), polygons.end(),
+                      [&](const PolygonFigure& f) { return f.id == id; })
+      ->judged;
 }
 
 const Group* Reproduction::find(const std::string& set, std::uint64_t points,

@@ -3,6 +3,7 @@
 // A reproduction as texts: JSON, CSV, and the report for readers.
 
 #include <string>
+#include <vector>
 
 #include "paper/document.hpp"
 #include "paper/reproduction.hpp"
@@ -28,6 +29,7 @@ std::string machine_json(const Reproduction& reproduction);
 
 /// The pictures' bytes for the HTML; the Markdown links to the files of the same names.
 struct ReportPictures {
+  std::vector<DocumentPicture> polygons;
   std::string chart;      ///< n-against-N.svg
   std::string whole;      ///< fig-10-whole.png
   std::string magnified;  ///< fig-10-magnified.png
