@@ -70,13 +70,15 @@ PolygonResult try_isolated(const Polygon& polygon, const FuzzOptions& options) {
                                 limits_of(options)));
 }
 
-/// Runs in a process of its own: a shrunk polygon as GeoJSON. Every try has one again.
+/// Runs in a process of its own: a shrunk polygon as GeoJSON, empty where the polygon does not fail
+/// again. Every try has a process as well.
 std::string shrunk_text(const Polygon& polygon, const std::string& claim,
                         const FuzzOptions& options) {
   const auto still_fails = [&](const Polygon& smaller) {
     const PolygonResult result = try_isolated(smaller, options);
     return result.outcome == PolygonOutcome::kFinding && result.claim == claim;
   };
+  if (!still_fails(polygon)) return {};
   std::ostringstream stream;
   write_geojson(stream, shrunk(polygon, still_fails, options.shrink_tries));
   return stream.str();
@@ -121,9 +123,15 @@ class PolygonFindings {
                        [&](std::ostream& stream) { stream << result.detail << "\n"; });
     folder_.note({result.claim, "no polygon", fmt::format("case {}", index), result.detail});
   }
+  /// What the shrinker came to.
   void add_small(std::uint64_t index, const std::string& geojson) const {
-    folder_.write_case(small_path(index), [&](std::ostream& stream) { stream << geojson; });
-    if (!options_.quiet) fmt::print(stderr, "quadbound: shrunk to {}\n", small_path(index));
+    if (!geojson.empty())
+      folder_.write_case(small_path(index), [&](std::ostream& stream) { stream << geojson; });
+    if (options_.quiet) return;
+    if (geojson.empty())
+      fmt::print(stderr, "quadbound: {} did not fail again\n", case_path(index));
+    else
+      fmt::print(stderr, "quadbound: shrunk to {}\n", small_path(index));
   }
 
  private:
@@ -174,7 +182,7 @@ class PolygonRunner {
     to_shrink_.pop_front();
     const auto work = [&] { return shrunk_text(finding.polygon, finding.claim, options_); };
     // Tries have their own limits; a shrinker that takes longer is given up.
-    constexpr double kSecondsOfAShrinker = 300;
+    constexpr double kSecondsOfAShrinker = 60;
     running_.push_back({finding.index, true,
                         std::make_unique<IsolatedTask>(
                             work, TaskLimits{kSecondsOfAShrinker, 2 * options_.max_megabytes})});
