@@ -6,6 +6,8 @@
 #include <boost/geometry/geometries/point.hpp>
 #include <boost/geometry/index/rtree.hpp>
 #include <iterator>
+#include <span>
+#include <utility>
 
 #include "verify/wide.hpp"
 
@@ -144,12 +146,12 @@ class ContactFinder {
 };
 
 template <class Wide, class PointAt>
-void add_triangles(const std::vector<VertexId>& loop, const PointAt& at, WideSum& sum) {
+void add_triangles(std::span<const VertexId> loop, const PointAt& at, WideSum& sum) {
   for (std::size_t i = 1; i + 1 < loop.size(); ++i)
     sum.add(doubled_triangle<Wide>(at(loop[0]), at(loop[i]), at(loop[i + 1])));
 }
 
-Rational doubled_area(const ExactPlane& plane, const std::vector<VertexId>& loop) {
+Rational doubled_area(const ExactPlane& plane, std::span<const VertexId> loop) {
   WideSum sum;
   if (std::all_of(loop.begin(), loop.end(), [&](VertexId v) { return plane.on_lattice(v); })) {
     add_triangles<Int128>(
@@ -162,13 +164,6 @@ Rational doubled_area(const ExactPlane& plane, const std::vector<VertexId>& loop
 }
 
 }  // namespace
-
-std::size_t Loops::outermost() const {
-  const auto largest = std::max_element(
-      loops.begin(), loops.end(),
-      [](const Loop& a, const Loop& b) { return a.doubled_area < b.doubled_area; });
-  return static_cast<std::size_t>(largest - loops.begin());
-}
 
 std::optional<VertexId> find_branching(const std::vector<DirectedEdge>& edges) {
   std::vector<VertexId> from;
@@ -189,26 +184,36 @@ std::optional<VertexId> find_branching(const std::vector<DirectedEdge>& edges) {
   return smallest;
 }
 
-Loops trace_loops(const ExactPlane& plane, const std::vector<DirectedEdge>& edges) {
+Loops trace_loops(const std::vector<DirectedEdge>& edges) {
   Loops result;
   result.branching = find_branching(edges);
   if (result.branching) return result;
   std::vector<bool> visited(edges.size());
-  std::vector<VertexId> loop;
   for (std::size_t start = 0; start < edges.size(); ++start) {
     if (visited[start]) continue;
-    loop.clear();
+    const std::size_t before = result.vertices.size();
     for (std::size_t i = start; !visited[i];) {
       visited[i] = true;
-      loop.push_back(edges[i].from);
+      result.vertices.push_back(edges[i].from);
       const auto next =
           std::lower_bound(edges.begin(), edges.end(), edges[i].to,
                            [](const DirectedEdge& e, VertexId v) { return e.from < v; });
       i = static_cast<std::size_t>(next - edges.begin());
     }
-    result.loops.push_back({loop.front(), loop.size(), doubled_area(plane, loop)});
+    result.loops.push_back({edges[start].from, result.vertices.size() - before});
   }
   return result;
+}
+
+std::optional<Outermost> find_outermost(const ExactPlane& plane, const Loops& loops) {
+  std::optional<Outermost> outermost;
+  std::span<const VertexId> rest = loops.vertices;
+  for (std::size_t i = 0; i < loops.loops.size(); ++i) {
+    Rational area = doubled_area(plane, rest.first(loops.loops[i].edges));
+    rest = rest.subspan(loops.loops[i].edges);
+    if (!outermost || area > outermost->doubled_area) outermost = {i, std::move(area)};
+  }
+  return outermost;
 }
 
 Contacts find_contacts(const ExactPlane& plane, const std::vector<DirectedEdge>& edges) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// The unpaired edges: closed loops, their areas, and where unpaired edges meet that should not.
+// The unpaired edges: closed loops, the largest area, and where unpaired edges meet that should
+// not.
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -18,11 +20,9 @@ struct Loops {
   struct Loop {
     VertexId first;  ///< the smallest vertex; loops ascend by it
     std::uint64_t edges;
-    Rational doubled_area;  ///< positive where it runs counter-clockwise
   };
   std::vector<Loop> loops;
-  /// Index of the loop of largest signed area; the first of equal ones.
-  [[nodiscard]] std::size_t outermost() const;
+  std::vector<VertexId> vertices;  ///< of all loops, in their order, each from its first one on
 };
 
 /// The smallest vertex with another number of unpaired edges in or out than one.
@@ -30,7 +30,15 @@ struct Loops {
 std::optional<VertexId> find_branching(const std::vector<DirectedEdge>& edges);
 
 /// Requires: edges different and ascending by `from`. Complexity: O(n log n).
-Loops trace_loops(const ExactPlane& plane, const std::vector<DirectedEdge>& edges);
+Loops trace_loops(const std::vector<DirectedEdge>& edges);
+
+/// The loop of largest signed area; the first of equal ones.
+struct Outermost {
+  std::size_t loop = 0;
+  Rational doubled_area;  ///< positive where it runs counter-clockwise
+};
+/// Nullopt where there are no loops.
+std::optional<Outermost> find_outermost(const ExactPlane& plane, const Loops& loops);
 
 /// Each the first by the smaller, then by the larger index of the two edges.
 struct Contacts {

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace quadbound::judge {
@@ -25,9 +26,9 @@ Judge::Judge(const Task& task, const Mesh& mesh, const VerifyOptions& options)
       mesh_(mesh),
       angles_(options.angles.value_or(task.angles)),
       threads_(options.threads),
-      plane_(mesh.vertices),
+      plane_(mesh.vertices, threads_),
       options_(options),
-      stored_plane_(mesh.vertices) {
+      stored_plane_(mesh.vertices, plane_) {
   if (mesh.quads.size() >= std::size_t{1} << 30)
     throw std::length_error("the judge takes fewer than 2^30 quads");
   report_.theorem = task.theorem;
@@ -116,7 +117,7 @@ void Judge::judge_mesh() {
   survey_ = survey_quads(plane_, mesh_.quads, angles_, exempt_, threads_, passes);
   report_.decisions = survey_.decisions;
   links_ = link_corners(corners, passes, threads_);
-  loops_ = trace_loops(plane_, links_.unpaired);
+  loops_ = trace_loops(links_.unpaired);
   has_sound_boundary_ = look_at_boundary();
   count();
   judge_stored_coordinates(corners);
@@ -245,20 +246,42 @@ void Judge::judge_euler() {
     claim.detail = fmt::format("vertices - edges + quads = {}, not {}", euler, task_.euler);
 }
 
+/// Twice the signed areas of all quads, as sums over their edges (verify/tiling.md, Areas).
+Rational Judge::doubled_quad_area(const Rational& enclosed) const {
+  WideSum sum = survey_.lattice_area;
+  const auto on_lattice = [&](const DirectedEdge& e) {
+    return plane_.on_lattice(e.from) && plane_.on_lattice(e.to);
+  };
+  const auto add_if_off = [&](const DirectedEdge& e) {
+    if (!on_lattice(e)) sum.add(cross_product(plane_.rational(e.from), plane_.rational(e.to)));
+  };
+  const auto& unpaired = links_.unpaired;
+  if (!has_sound_boundary_) {
+    std::for_each(unpaired.begin(), unpaired.end(), add_if_off);
+  } else if (!std::all_of(unpaired.begin(), unpaired.end(), on_lattice)) {
+    sum.add(enclosed);
+    for (const DirectedEdge& e : unpaired)
+      if (on_lattice(e)) sum.add(-cross_product(plane_.lattice(e.from), plane_.lattice(e.to)));
+  }
+  std::for_each(links_.surplus.begin(), links_.surplus.end(), add_if_off);
+  return sum.value();
+}
+
 void Judge::judge_area() {
-  const std::optional<Rational> enclosed = enclosed_area();
-  if (!enclosed) {
+  const std::optional<Rational> doubled = doubled_enclosed_area();
+  if (!doubled) {
     add("area", Verdict::not_decided).detail =
         fmt::format("there is no outermost loop: see {}", task_.boundary_claim);
     return;
   }
   const Rational unit = dyadic(1, mesh_.vertices.exponent());
-  const Rational quads = survey_.doubled_area.value() * unit * unit / 2;
-  Claim& claim = add("area", quads == *enclosed);
-  claim.values = {{"quads", quads}, {"within the boundary", *enclosed}};
-  if (quads != *enclosed)
+  const Rational quads = doubled_quad_area(*doubled) * unit * unit / 2;
+  const Rational enclosed = *doubled * unit * unit / 2;
+  Claim& claim = add("area", quads == enclosed);
+  claim.values = {{"quads", quads}, {"within the boundary", enclosed}};
+  if (quads != enclosed)
     claim.detail = fmt::format("quads cover {}, the boundary encloses {}", nearest_double(quads),
-                               nearest_double(*enclosed));
+                               nearest_double(enclosed));
 }
 
 // --- the theorem's numbers -----------------------------------------------------------------------

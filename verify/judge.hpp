@@ -43,8 +43,9 @@ class Judge {
   /// wants it.
   virtual bool look_at_boundary() = 0;
   virtual void judge_boundary() = 0;
-  /// What the quads should cover, in the input's units; nullopt where the mesh cannot tell.
-  [[nodiscard]] virtual std::optional<Rational> enclosed_area() const = 0;
+  /// Twice the area that the quads should cover, in units of the lattice; nullopt where the mesh
+  /// cannot tell. Where look_at_boundary said yes, that within the unpaired edges.
+  [[nodiscard]] virtual std::optional<Rational> doubled_enclosed_area() const = 0;
   virtual void judge_input(const CornersByVertex& corners) = 0;
 
   Claim& add(std::string id, Verdict verdict);
@@ -98,6 +99,7 @@ class Judge {
   void refute_overlap();
   void judge_euler();
   void judge_area();
+  [[nodiscard]] Rational doubled_quad_area(const Rational& enclosed) const;
   void judge_angle(std::string id, BoundTally Survey::*end, Arctangent bound, bool is_upper);
   void judge_stored_angle(StoredBound& stored, const BoundTally& tally, Arctangent bound,
                           bool is_upper) const;

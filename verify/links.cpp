@@ -106,9 +106,23 @@ class Linker {
   void drop_doubled(VertexId v) {
     const auto same = [](const Outgoing& a, const Outgoing& b) { return a.first == b.first; };
     const auto twice = std::adjacent_find(outgoing_.begin(), outgoing_.end(), same);
-    if (twice != outgoing_.end() && !links_.doubled)
+    if (twice == outgoing_.end()) return;
+    if (!links_.doubled)
       links_.doubled = {{v, twice->first, twice->second}, std::next(twice)->second};
+    list_surplus(v);
     outgoing_.erase(std::unique(outgoing_.begin(), outgoing_.end(), same), outgoing_.end());
+  }
+
+  void list_surplus(VertexId v) {
+    for (auto edge = outgoing_.begin(); edge != outgoing_.end();) {
+      const VertexId to = edge->first;
+      const auto end = std::find_if(edge, outgoing_.end(),
+                                    [&](const Outgoing& other) { return other.first != to; });
+      const auto [first, last] = std::equal_range(incoming_.begin(), incoming_.end(), to);
+      const auto back = std::max<std::ptrdiff_t>(last - first, 1);  // 1: unpaired, and listed
+      for (auto i = back; i < end - edge; ++i) links_.surplus.push_back({v, to, edge->second});
+      edge = end;
+    }
   }
 
   /// Corners counter-clockwise from the one that the unpaired edge leaves to an unpaired edge.
@@ -133,6 +147,7 @@ void merge(Links& into, Links& from) {
   into.used_vertices += from.used_vertices;
   into.directed_edges += from.directed_edges;
   into.unpaired.insert(into.unpaired.end(), from.unpaired.begin(), from.unpaired.end());
+  into.surplus.insert(into.surplus.end(), from.surplus.begin(), from.surplus.end());
   if (!into.doubled) into.doubled = from.doubled;
   if (!into.winding) into.winding = from.winding;
   if (!into.second_fan) into.second_fan = from.second_fan;

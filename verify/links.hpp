@@ -48,6 +48,11 @@ struct Links {
   std::uint64_t directed_edges = 0;    ///< different ones
   std::vector<DirectedEdge> unpaired;  ///< different ones, ascending by from, then by to
 
+  /// Directed edges that belong to more quads than their reverses do: each as often as that is so,
+  /// less one where it is unpaired and listed there. With the unpaired edges they are what is left
+  /// of all edges of quads where opposite ones cancel each other. Empty where no edge is doubled.
+  std::vector<DirectedEdge> surplus;
+
   struct DoubledEdge {
     DirectedEdge edge;
     CornerIndex other;

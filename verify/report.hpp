@@ -104,7 +104,7 @@ struct Report {
   struct Decisions {
     std::uint64_t filter = 0;    ///< a floating-point bound was enough
     std::uint64_t lattice = 0;   ///< 128-bit integers
-    std::uint64_t rational = 0;  ///< at least one vertex of the quad is off the lattice
+    std::uint64_t rational = 0;  ///< neither: the corner or an end of its edges is off the lattice
   } decisions;
 
   std::optional<PolygonFacts> polygon;  ///< thm-13 only

@@ -12,16 +12,14 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// The four edges of a quad; edge i leaves corner i.
-template <class Number>
+/// The four edges of a quad on the lattice; edge i leaves corner i.
 struct Edges {
-  std::array<Number, 4> x;
-  std::array<Number, 4> y;
+  std::array<std::int64_t, 4> x;
+  std::array<std::int64_t, 4> y;
 };
 
-template <class Number, class PointType>
-Edges<Number> edges_of(const std::array<PointType, 4>& p) {
-  Edges<Number> edges;
+Edges edges_of(const std::array<LatticePoint, 4>& p) {
+  Edges edges;
   for (std::size_t i = 0; i < 4; ++i) {
     edges.x[i] = p[(i + 1) % 4].x - p[i].x;
     edges.y[i] = p[(i + 1) % 4].y - p[i].y;
@@ -29,33 +27,61 @@ Edges<Number> edges_of(const std::array<PointType, 4>& p) {
   return edges;
 }
 
-/// Corner i from its edges; Wide holds their products.
-template <class Wide, class Number>
-Corner<Wide> corner_of(const Edges<Number>& e, std::size_t i) {
+/// Corner i from its edges.
+Corner<Int128> corner_of(const Edges& e, std::size_t i) {
   const std::size_t before = (i + 3) % 4;
-  return {Wide(Wide(e.x[before]) * e.y[i] - Wide(e.y[before]) * e.x[i]),
-          Wide(-(Wide(e.x[before]) * e.x[i]) - Wide(e.y[before]) * e.y[i])};
+  const auto times = [](std::int64_t a, std::int64_t b) { return static_cast<Int128>(a) * b; };
+  return {times(e.x[before], e.y[i]) - times(e.y[before], e.x[i]),
+          -times(e.x[before], e.x[i]) - times(e.y[before], e.y[i])};
 }
 
 /// The shoelace formula with differences only: half the cross product of the diagonals.
-template <class Wide, class Number>
-Wide doubled_area(const Edges<Number>& e) {
-  const Number first_x = e.x[0] + e.x[1];
-  const Number first_y = e.y[0] + e.y[1];
-  const Number second_x = e.x[1] + e.x[2];
-  const Number second_y = e.y[1] + e.y[2];
-  return Wide(Wide(first_x) * second_y - Wide(first_y) * second_x);
+Int128 doubled_area(const Edges& e) {
+  const std::int64_t first_x = e.x[0] + e.x[1];
+  const std::int64_t first_y = e.y[0] + e.y[1];
+  const std::int64_t second_x = e.x[1] + e.x[2];
+  const std::int64_t second_y = e.y[1] + e.y[2];
+  return static_cast<Int128>(first_x) * second_y - static_cast<Int128>(first_y) * second_x;
 }
 
 /// A corner of less than 180 degrees passes the positive x axis exactly when its first edge points
 /// into the lower half-plane and its last edge, which is the edge before reversed, into the upper.
-template <class Number>
-std::uint8_t passes_of(const Edges<Number>& e) {
+/// Bit i of `lower`: edge i points into the lower half-plane, the negative x axis included.
+std::uint8_t passes_of(unsigned lower) {
+  return static_cast<std::uint8_t>(lower & ((lower << 1) | (lower >> 3)) & 15U);
+}
+
+std::uint8_t passes_of(const Edges& e) {
   unsigned lower = 0;
   for (std::size_t i = 0; i < 4; ++i)
     lower |= static_cast<unsigned>(e.y[i] < 0 || (e.y[i] == 0 && e.x[i] < 0)) << i;
-  return static_cast<std::uint8_t>(lower & ((lower << 1) | (lower >> 3)) & 15U);
+  return passes_of(lower);
 }
+
+/// An edge between fixed points, in units of 2^-64, and its length in the 1-norm.
+struct Rounded {
+  Rounded() = default;
+  Rounded(const FixedPoint& from, const FixedPoint& to)
+      : x(static_cast<double>(to.x.value - from.x.value)),
+        y(static_cast<double>(to.y.value - from.y.value)),
+        length(std::abs(x) + std::abs(y)) {}
+  double x;
+  double y;
+  double length;
+};
+
+/// A corner between two such edges.
+struct RoundedCorner {
+  RoundedCorner(const Rounded& before, const Rounded& next)
+      : cross(before.x * next.y - before.y * next.x),
+        dot(-(before.x * next.x) - before.y * next.y),
+        size(before.length * next.length),
+        is_long(before.length >= 0x1p61 && next.length >= 0x1p61) {}
+  double cross;
+  double dot;
+  double size;
+  bool is_long;
+};
 
 /// Cotangent of a corner up to a few units of the last place, monotone in the sector at the ends.
 double cotangent(const ExtremeCorner& extreme) {
@@ -187,8 +213,17 @@ class Surveyor {
           plane_.on_lattice(quad[3])) {
         passes[q] = lattice_quad(q, quad);
       } else {
-        passes[q] = rational_quad(q, quad);
+        passes[q] = off_lattice_quad(q, quad);
       }
+    }
+    return std::move(survey_);
+  }
+
+  /// Only these corners, and of the result only the bounds. Requires: exempt is empty.
+  Survey survey(std::span<const CornerId> corners) {
+    for (const CornerId id : corners) {
+      const Around around = around_corner(quads_[id.quad], static_cast<std::size_t>(id.corner));
+      if (!is_filtered(around)) judge_exactly(id, around);
     }
     return std::move(survey_);
   }
@@ -196,12 +231,13 @@ class Surveyor {
  private:
   static constexpr bool kMeasuresRounding = std::is_same_v<Plane, StoredPlane>;
   using Doubles = std::array<double, 4>;
+  using FixedQuad = std::array<FixedPoint, 4>;
+  using Around = std::array<VertexId, 3>;  ///< the vertices before, at and after a corner
 
   std::uint8_t lattice_quad(std::size_t q, const Quad& quad) {
-    const auto edges =
-        edges_of<std::int64_t>(std::array{plane_.lattice(quad[0]), plane_.lattice(quad[1]),
-                                          plane_.lattice(quad[2]), plane_.lattice(quad[3])});
-    survey_.doubled_area.add(doubled_area<Int128>(edges));
+    const Edges edges = edges_of(std::array{plane_.lattice(quad[0]), plane_.lattice(quad[1]),
+                                            plane_.lattice(quad[2]), plane_.lattice(quad[3])});
+    if constexpr (!kMeasuresRounding) survey_.lattice_area.add(doubled_area(edges));
     Doubles x;
     Doubles y;
     Doubles length;
@@ -218,23 +254,130 @@ class Surveyor {
         ++survey_.decisions.filter;
       } else {
         ++survey_.decisions.lattice;
-        const auto corner = corner_of<Int128>(edges, i);
+        const auto corner = corner_of(edges, i);
         if (!is_exactly_uninteresting(corner)) judge(CornerId{q, static_cast<int>(i)}, corner);
       }
     }
     return passes_of(edges);
   }
 
-  std::uint8_t rational_quad(std::size_t q, const Quad& quad) {
-    const auto edges =
-        edges_of<Rational>(std::array{plane_.rational(quad[0]), plane_.rational(quad[1]),
-                                      plane_.rational(quad[2]), plane_.rational(quad[3])});
-    survey_.doubled_area.add(doubled_area<Rational>(edges));
+  static Around around_corner(const Quad& quad, std::size_t i) {
+    return {quad[(i + 3) % 4], quad[i], quad[(i + 1) % 4]};
+  }
+
+  std::uint8_t off_lattice_quad(std::size_t q, const Quad& quad) {
+    if constexpr (!kMeasuresRounding) add_lattice_edges(quad);
+    FixedQuad p;
     for (std::size_t i = 0; i < 4; ++i) {
-      ++survey_.decisions.rational;
-      judge(CornerId{q, static_cast<int>(i)}, corner_of<Rational>(edges, i));
+      const std::optional<FixedPoint> point = plane_.fixed(quad[i]);
+      if (!point) return rational_quad(q, quad);
+      p[i] = *point;
     }
-    return passes_of(edges);
+    unsigned lower = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+      lower |= static_cast<unsigned>(points_down(quad, p, i, (i + 1) % 4)) << i;
+    std::array<Rounded, 4> edges;
+    for (std::size_t i = 0; i < 4; ++i) edges[i] = Rounded(p[i], p[(i + 1) % 4]);
+    for (std::size_t i = 0; i < 4; ++i) {
+      const std::size_t before = (i + 3) % 4;
+      if (is_uninteresting(RoundedCorner(edges[before], edges[i]))) {
+        ++survey_.decisions.filter;
+      } else {
+        judge_exactly(CornerId{q, static_cast<int>(i)}, around_corner(quad, i));
+      }
+    }
+    return passes_of(lower);
+  }
+
+  /// As is_uninteresting of two differences that were rounded once.
+  ///
+  /// A difference of fixed points is off by less than 1, and then rounded. Where the edge is at
+  /// least 2^61 long (an eighth of a unit of the lattice), the former is at most 2^-60 of its
+  /// length in both coordinates together, a 128th of what the latter may be. So the errors of cross
+  /// and dot stay below (4 + 1/32) * 2^-53 * size where is_uninteresting reckons with 4 and leaves
+  /// a factor of two.
+  [[nodiscard]] bool is_uninteresting(const RoundedCorner& c) const {
+    return c.is_long && is_uninteresting(c.cross, c.dot, c.size);
+  }
+
+  /// Whether the corner is certainly convex, no new extreme, and beyond one bound, which is then
+  /// counted. Errors as for is_uninteresting.
+  bool count_broken(const RoundedCorner& c) {
+    const double error = 0x1p-48 * c.size;
+    const auto is_larger = [&](double cot) {
+      return cot * c.cross - c.dot > (1 + std::abs(cot)) * error;
+    };
+    const auto is_smaller = [&](double cot) {
+      return c.dot - cot * c.cross > (1 + std::abs(cot)) * error;
+    };
+    const auto& smallest = survey_.smallest.extreme;
+    const auto& largest = survey_.largest.extreme;
+    if (!c.is_long || !(c.cross > error) || !smallest || !largest) return false;
+    if (!is_larger(cotangent(*smallest)) || !is_smaller(cotangent(*largest))) return false;
+    const bool below = is_smaller(cotangent(interval_.smallest));
+    const bool above = is_larger(-cotangent(interval_.from_straight));
+    survey_.smallest.broken += below ? 1 : 0;
+    survey_.largest.broken += above ? 1 : 0;
+    return below || above;
+  }
+
+  /// Whether edge from -> to points into the lower half-plane, the negative x axis included.
+  [[nodiscard]] bool points_down(const Quad& quad, const FixedQuad& p, std::size_t from,
+                                 std::size_t to) const {
+    const auto sign_y = sign_of_difference(p[from].y, p[to].y);
+    if (sign_y && *sign_y != 0) return *sign_y < 0;
+    const auto sign_x = sign_of_difference(p[from].x, p[to].x);
+    if (sign_y && sign_x) return *sign_x < 0;
+    return points_down(plane_.rational(quad[from]), plane_.rational(quad[to]));
+  }
+  static bool points_down(const RationalPoint& from, const RationalPoint& to) {
+    const int by_y = to.y.compare(from.y);
+    return by_y < 0 || (by_y == 0 && to.x < from.x);
+  }
+
+  std::uint8_t rational_quad(std::size_t q, const Quad& quad) {
+    unsigned lower = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Around around = around_corner(quad, i);
+      judge_exactly(CornerId{q, static_cast<int>(i)}, around);
+      const bool down = points_down(plane_.rational(around[1]), plane_.rational(around[2]));
+      lower |= static_cast<unsigned>(down) << i;
+    }
+    return passes_of(lower);
+  }
+
+  void add_lattice_edges(const Quad& quad) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      const VertexId from = quad[i];
+      const VertexId to = quad[(i + 1) % 4];
+      if (plane_.on_lattice(from) && plane_.on_lattice(to))
+        survey_.lattice_area.add(cross_product(plane_.lattice(from), plane_.lattice(to)));
+    }
+  }
+
+  bool is_filtered(const Around& around) {
+    std::array<FixedPoint, 3> p;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::optional<FixedPoint> point = plane_.fixed(around[i]);
+      if (!point) return false;
+      p[i] = *point;
+    }
+    const RoundedCorner corner(Rounded(p[0], p[1]), Rounded(p[1], p[2]));
+    return is_uninteresting(corner) || count_broken(corner);
+  }
+
+  void judge_exactly(CornerId id, const Around& around) {
+    const auto& [before, at, next] = around;
+    if (plane_.on_lattice(before) && plane_.on_lattice(at) && plane_.on_lattice(next)) {
+      ++survey_.decisions.lattice;
+      const auto corner =
+          corner_at<Int128>(plane_.lattice(at), plane_.lattice(next), plane_.lattice(before));
+      if (!is_exactly_uninteresting(corner)) judge(id, corner);
+    } else {
+      ++survey_.decisions.rational;
+      judge(id, corner_at<Rational>(plane_.rational(at), plane_.rational(next),
+                                    plane_.rational(before)));
+    }
   }
 
   /// Whether the corner is certainly convex, within the bounds, and no new extreme.
@@ -381,7 +524,7 @@ void merge(Survey& into, Survey& from) {
         [](const ExtremeCorner& a, const ExtremeCorner& b) { return is_smaller(b, a); });
   into.not_convex += from.not_convex;
   if (!into.first_not_convex) into.first_not_convex = from.first_not_convex;
-  into.doubled_area.add(from.doubled_area);
+  into.lattice_area.add(from.lattice_area);
   into.decisions.filter += from.decisions.filter;
   into.decisions.lattice += from.decisions.lattice;
   into.decisions.rational += from.decisions.rational;
@@ -407,6 +550,11 @@ CornerScale corner_scale(const Plane& plane, const Quad& quad, int corner) {
       scale.shorter_edge_squared = squared;
   }
   return scale;
+}
+
+Survey survey_corners(const ExactPlane& plane, const std::vector<Quad>& quads,
+                      const AngleInterval& interval, std::span<const CornerId> corners) {
+  return Surveyor<ExactPlane>(plane, quads, interval, {}).survey(corners);
 }
 
 template <class Plane>

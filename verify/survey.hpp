@@ -65,7 +65,9 @@ struct Survey {
   BoundTally largest;
   std::uint64_t not_convex = 0;
   std::optional<CornerId> first_not_convex;
-  WideSum doubled_area;
+  /// The sum of from x to over the quads' edges from -> to with both ends on the lattice: twice the
+  /// signed areas of the quads, less the share of their other edges. Of the exact plane only.
+  WideSum lattice_area;
   Report::Decisions decisions;
 };
 
@@ -97,6 +99,12 @@ template <class Plane>
 Survey survey_quads(const Plane& plane, const std::vector<Quad>& quads,
                     const AngleInterval& interval, std::span<const CornerId> exempt,
                     const Threads& threads, std::vector<std::uint8_t>& passes);
+
+/// Only these corners, each against the bounds; the result has only smallest and largest, with the
+/// second guarantee of survey_quads.
+/// Requires: as survey_quads; corners ascend.
+Survey survey_corners(const ExactPlane& plane, const std::vector<Quad>& quads,
+                      const AngleInterval& interval, std::span<const CornerId> corners);
 
 extern template Survey survey_quads<ExactPlane>(const ExactPlane&, const std::vector<Quad>&,
                                                 const AngleInterval&, std::span<const CornerId>,

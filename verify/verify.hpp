@@ -36,7 +36,9 @@ struct VerifyOptions {
 ///    is not decided where the conditions of the proof are broken otherwise.
 /// 8. euler: vertices - edges + quads = 1.
 /// 9. area: the signed areas of the quads add up to the area within the outermost boundary loop.
-///    Not decided where the unpaired edges are no union of disjoint closed loops.
+///    Not decided where the unpaired edges are no union of disjoint closed loops. The sum is exact;
+///    edges with an end off the lattice enter it only where they are not cancelled by their reverse
+///    (verify/tiling.md, Areas).
 /// 10. points-kept: every input point is the place of a vertex of a quad.
 /// 11. min-angle, max-angle: all corners are within options.angles (kTheorem1). Angles are taken in
 /// [0, 360)
@@ -50,8 +52,8 @@ struct VerifyOptions {
 ///    edge.
 /// 14. The report is the same whatever the number of threads.
 /// Requires: fewer than 2^30 quads. Errors: std::length_error otherwise.
-/// Complexity: time linear in vertices and quads while quads are sound and nearly all vertices are
-/// on the lattice; about 25 bytes per quad beyond the mesh.
+/// Complexity: time linear in vertices and quads while quads are sound; about 25 bytes per quad
+/// beyond the mesh, and where vertices are off the lattice 4 per vertex and 116 for each of those.
 Report verify_points(const PointSet& points, const Mesh& mesh, const VerifyOptions& options = {});
 
 /// Judges a mesh of a polygon with holes: thm-13 and all the claims it consists of.
@@ -63,7 +65,7 @@ Report verify_points(const PointSet& points, const Mesh& mesh, const VerifyOptio
 ///    vertex.
 /// 16. With boundary-kept, no-overlap holds by the same proof (verify/tiling.md).
 /// 17. euler: vertices - edges + quads = 2 - rings.
-/// 18. area: the signed areas of the quads add up to the area of the polygon.
+/// 18. area: the signed areas of the quads add up to the area of the polygon, as for points.
 /// 19. min-angle, max-angle: as for points with kTheorem13, for all corners but the whole input
 ///    angles. A whole input angle is the corner of a quad at the place of a vertex of the polygon
 ///    where the mesh vertex has no other corner; those are counted and listed in report.polygon,

@@ -22,6 +22,7 @@ class PointsJudge final : public Judge {
 
   bool look_at_boundary() override {
     contacts_ = find_contacts(plane_, links_.unpaired);
+    outermost_ = find_outermost(plane_, loops_);
     return has_one_boundary();
   }
   [[nodiscard]] bool has_one_boundary() const {
@@ -35,8 +36,8 @@ class PointsJudge final : public Judge {
       claim.place = place_of_vertex(*loops_.branching);
     } else if (loops_.loops.size() != 1) {
       claim.detail = fmt::format("the unpaired edges form {} closed loops", loops_.loops.size());
-      if (loops_.loops.empty()) return;
-      const std::size_t inner = loops_.outermost() == 0 ? 1 : 0;
+      if (!outermost_) return;
+      const std::size_t inner = outermost_->loop == 0 ? 1 : 0;
       claim.detail +=
           fmt::format("; one that is not the outermost has {} edges", loops_.loops[inner].edges);
       claim.place = place_of_vertex(loops_.loops[inner].first);
@@ -61,10 +62,9 @@ class PointsJudge final : public Judge {
     }
   }
 
-  [[nodiscard]] std::optional<Rational> enclosed_area() const override {
-    if (loops_.branching || loops_.loops.empty()) return std::nullopt;
-    const Rational unit = dyadic(1, mesh_.vertices.exponent());
-    return Rational(loops_.loops[loops_.outermost()].doubled_area * unit * unit / 2);
+  [[nodiscard]] std::optional<Rational> doubled_enclosed_area() const override {
+    if (!outermost_) return std::nullopt;
+    return outermost_->doubled_area;
   }
 
   void judge_input(const CornersByVertex& corners) override {
@@ -78,6 +78,7 @@ class PointsJudge final : public Judge {
   }
 
   const PointSet& points_;
+  std::optional<Outermost> outermost_;
 };
 
 }  // namespace

@@ -17,18 +17,22 @@ Task task_for(const Polygon& polygon) {
           5,        2 - static_cast<std::int64_t>(polygon.rings.size())};
 }
 
-Rational doubled_area(const Ring& ring) {
-  Rational sum = 0;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const RationalPoint a = exact_value(ring[i]);
-    const RationalPoint b = exact_value(ring[(i + 1) % ring.size()]);
-    sum += a.x * b.y - a.y * b.x;
+/// The vertices of a ring where they are on a lattice of that exponent.
+std::optional<std::vector<LatticePoint>> on_lattice(const Ring& ring, int exponent) {
+  std::vector<LatticePoint> points;
+  for (const Point& point : ring) {
+    const auto x = lattice_floor(point.x, exponent);
+    const auto y = lattice_floor(point.y, exponent);
+    if (!x || !y || !x->exact || !y->exact) return std::nullopt;
+    points.push_back({x->floor, y->floor});
   }
-  return sum;
+  return points;
 }
 
-bool is_smaller_angle(const JudgedCorner& a, const JudgedCorner& b) {
-  return is_smaller(Corner<Rational>{a.cross, a.dot}, Corner<Rational>{b.cross, b.dot});
+template <class PointType>
+void add_doubled_area(const std::vector<PointType>& ring, WideSum& sum) {
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    sum.add(cross_product(ring[i], ring[(i + 1) % ring.size()]));
 }
 
 class PolygonJudge final : public Judge {
@@ -58,14 +62,12 @@ class PolygonJudge final : public Judge {
   void list_whole_corners() {
     PolygonFacts& facts = *report_.polygon;
     facts.whole_corners = exempt_.size();
-    for (const CornerId id : exempt_) {
-      JudgedCorner corner = judged(plane_, id);
-      if (!within(Corner<Rational>{corner.cross, corner.dot}, angles_)) ++facts.whole_beyond_bounds;
-      if (!facts.largest_whole || is_smaller_angle(*facts.largest_whole, corner))
-        facts.largest_whole = corner;
-      if (!facts.smallest_whole || is_smaller_angle(corner, *facts.smallest_whole))
-        facts.smallest_whole = std::move(corner);
-    }
+    const Survey survey = survey_corners(plane_, mesh_.quads, angles_, exempt_);
+    facts.whole_beyond_bounds = survey.smallest.broken + survey.largest.broken;
+    const auto& smallest = survey.smallest.extreme;
+    const auto& largest = survey.largest.extreme;
+    if (smallest) facts.smallest_whole = judged(plane_, smallest->id);
+    if (largest) facts.largest_whole = judged(plane_, largest->id);
   }
 
   /// The rings of a valid polygon neither meet nor cross, so that only a boundary that departs from
@@ -120,10 +122,21 @@ class PolygonJudge final : public Judge {
                        text_of_ring_vertex(departure.ring, departure.ring_vertex + 1));
   }
 
-  [[nodiscard]] std::optional<Rational> enclosed_area() const override {
-    Rational sum = 0;
-    for (const Ring& ring : polygon_.rings) sum += doubled_area(ring);
-    return Rational(sum / 2);
+  [[nodiscard]] std::optional<Rational> doubled_enclosed_area() const override {
+    const int exponent = mesh_.vertices.exponent();
+    const Rational unit = dyadic(1, -exponent);
+    WideSum sum;
+    for (const Ring& ring : polygon_.rings) {
+      if (const auto lattice = on_lattice(ring, exponent)) {
+        add_doubled_area(*lattice, sum);
+      } else {
+        std::vector<RationalPoint> exact;
+        for (const Point& p : ring)
+          exact.push_back({exact_value(p.x) * unit, exact_value(p.y) * unit});
+        add_doubled_area(exact, sum);
+      }
+    }
+    return sum.value();
   }
 
   void judge_input(const CornersByVertex&) override {}

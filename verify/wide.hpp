@@ -4,6 +4,8 @@
 
 #include <compare>
 #include <cstdint>
+#include <utility>
+#include <vector>
 
 #include "model/exact.hpp"
 
@@ -62,6 +64,38 @@ inline Rational to_rational(Int128 value) {
 }
 inline const Rational& to_rational(const Rational& value) { return value; }
 
+/// a x b. Coordinates up to 2^60 make it 2^121 at most.
+inline Int128 cross_product(LatticePoint a, LatticePoint b) {
+  return static_cast<Int128>(a.x) * b.y - static_cast<Int128>(a.y) * b.x;
+}
+inline Rational cross_product(const RationalPoint& a, const RationalPoint& b) {
+  return a.x * b.y - a.y * b.x;
+}
+
+/// A sum of rationals, added up in pairs, pairs of pairs and so on: with many different
+/// denominators the long numbers are few then, and adding n values takes little more than linear
+/// time.
+class RationalSum {
+ public:
+  void add(const Rational& value) {
+    Rational carry = value;
+    std::size_t level = 0;
+    for (std::uint64_t bits = count_++; (bits & 1U) != 0; bits >>= 1U) carry += levels_[level++];
+    if (level == levels_.size()) levels_.emplace_back();
+    levels_[level] = std::move(carry);
+  }
+  [[nodiscard]] Rational value() const {
+    Rational sum = 0;
+    for (std::size_t level = 0; level < levels_.size(); ++level)
+      if (((count_ >> level) & 1U) != 0) sum += levels_[level];
+    return sum;
+  }
+
+ private:
+  std::uint64_t count_ = 0;
+  std::vector<Rational> levels_;  ///< the sum of 2^i values at i, where bit i of count_ is set
+};
+
 /// A sum of up to 2^63 values of 128 bits, and of rationals.
 class WideSum {
  public:
@@ -69,24 +103,24 @@ class WideSum {
     low_ += static_cast<std::uint64_t>(value);
     high_ += value >> 64;
   }
-  void add(const Rational& value) { rest_ += value; }
+  void add(const Rational& value) { rest_.add(value); }
   void add(const WideSum& other) {
     low_ += other.low_;
     high_ += other.high_;
-    if (other.rest_ != 0) rest_ += other.rest_;
+    rest_.add(other.rest_.value());
   }
   [[nodiscard]] Rational value() const {
     const Integer two64 = Integer(1) << 64;
     const Rational high = to_rational(high_) * Rational(two64);
     const Rational low =
         to_rational(static_cast<Int128>(low_ >> 1)) * 2 + Rational(static_cast<unsigned>(low_ & 1));
-    return high + low + rest_;
+    return high + low + rest_.value();
   }
 
  private:
   Int128 high_ = 0;
   UInt128 low_ = 0;
-  Rational rest_ = 0;
+  RationalSum rest_;
 };
 
 }  // namespace quadbound::judge

@@ -50,5 +50,17 @@ TEST(Wide, SumsAsRationalsDo) {
   }
 }
 
+TEST(Wide, SumsOfManyDenominatorsAreExact) {
+  for (const int count : {0, 1, 2, 3, 64, 301}) {
+    RationalSum sum;
+    Rational expected = 0;
+    for (int k = 1; k <= count; ++k) {
+      sum.add(Rational(1, k));
+      expected += Rational(1, k);
+    }
+    EXPECT_EQ(sum.value(), expected) << count;
+  }
+}
+
 }  // namespace
 }  // namespace quadbound::judge
