@@ -10,16 +10,58 @@ namespace {
 
 enum class Step { between, off, passed };
 
-/// Where `next` is that should lie on the edge a -> b, between `last` and b. With coordinates up to
-/// 2^60, cross and dot products stay below 2^124.
-template <class Wide, class PointType>
-Step step(const PointType& a, const PointType& b, const PointType& last, const PointType& next) {
-  const Corner<Wide> reached = corner_at<Wide>(a, b, next);
+/// Where `next` is that should lie on the edge a -> b, between `last` and b.
+Step step(const RationalPoint& a, const RationalPoint& b, const RationalPoint& last,
+          const RationalPoint& next) {
+  const auto reached = corner_at<Rational>(a, b, next);
   if (reached.cross != 0) return Step::off;
-  const bool is_between =
-      corner_at<Wide>(a, b, last).dot < reached.dot && reached.dot < corner_at<Wide>(a, b, b).dot;
+  const bool is_between = corner_at<Rational>(a, b, last).dot < reached.dot &&
+                          reached.dot < corner_at<Rational>(a, b, b).dot;
   return is_between ? Step::between : Step::passed;
 }
+
+/// An edge of the polygon between points on the lattice.
+class LatticeEdge {
+ public:
+  LatticeEdge(LatticePoint a, LatticePoint b) : a_(a), dx_(b.x - a.x), dy_(b.y - a.y) {}
+
+  /// Whether the point is on its line; nullopt where 128 bits are too few to tell.
+  [[nodiscard]] std::optional<bool> holds(LatticePoint p) const { return cross(p.x, p.y) == 0; }
+  [[nodiscard]] std::optional<bool> holds(const OffLattice::Fractions& p) const {
+    if (p.x.denominator == 0 || p.y.denominator == 0) return std::nullopt;
+    const Int128 floors = cross(p.x.floor, p.y.floor);
+    if (p.x.remainder == 0) return is_fraction(p.y, dx_, -floors);
+    if (p.y.remainder == 0) return is_fraction(p.x, dy_, floors);
+    return std::nullopt;
+  }
+
+  /// Whether `next` is strictly further along the edge than `last`, both on its line; nullopt where
+  /// what was cut off decides.
+  [[nodiscard]] std::optional<bool> advances(const FixedPoint& last, const FixedPoint& next) const {
+    const auto sign =
+        dx_ != 0 ? sign_of_difference(last.x, next.x) : sign_of_difference(last.y, next.y);
+    if (!sign) return std::nullopt;
+    return (dx_ != 0 ? dx_ : dy_) > 0 ? *sign > 0 : *sign < 0;
+  }
+
+ private:
+  /// (b - a) x (p - a), at most 2^123.
+  [[nodiscard]] Int128 cross(std::int64_t x, std::int64_t y) const {
+    return static_cast<Int128>(dx_) * (y - a_.y) - static_cast<Int128>(dy_) * (x - a_.x);
+  }
+  /// Whether length * remainder / denominator = value. The left side is at most |length| <= 2^61,
+  /// so that all products stay below 2^124.
+  static bool is_fraction(const Fraction& fraction, std::int64_t length, Int128 value) {
+    constexpr Int128 kLargest = Int128{1} << (kLatticeBits + 1);
+    if (value < -kLargest || value > kLargest) return false;
+    return static_cast<Int128>(length) * static_cast<Int128>(fraction.remainder) ==
+           value * static_cast<Int128>(fraction.denominator);
+  }
+
+  LatticePoint a_;
+  std::int64_t dx_;
+  std::int64_t dy_;
+};
 
 class RingWalker {
  public:
@@ -95,12 +137,27 @@ class RingWalker {
   }
 
   [[nodiscard]] Step step_to(VertexId a, VertexId b, VertexId last, VertexId next) const {
-    if (plane_.on_lattice(a) && plane_.on_lattice(b) && plane_.on_lattice(last) &&
-        plane_.on_lattice(next))
-      return step<Int128>(plane_.lattice(a), plane_.lattice(b), plane_.lattice(last),
-                          plane_.lattice(next));
-    return step<Rational>(plane_.rational(a), plane_.rational(b), plane_.rational(last),
-                          plane_.rational(next));
+    if (plane_.on_lattice(a) && plane_.on_lattice(b))
+      if (const auto found = step_along(a, b, last, next)) return *found;
+    return step(plane_.rational(a), plane_.rational(b), plane_.rational(last),
+                plane_.rational(next));
+  }
+
+  /// Without rationals; nullopt where that does not decide it.
+  [[nodiscard]] std::optional<Step> step_along(VertexId a, VertexId b, VertexId last,
+                                               VertexId next) const {
+    const auto last_point = plane_.fixed(last);
+    const auto point = plane_.fixed(next);
+    if (!last_point || !point) return std::nullopt;
+    const LatticeEdge edge(plane_.lattice(a), plane_.lattice(b));
+    const auto on_line = plane_.on_lattice(next) ? edge.holds(plane_.lattice(next))
+                                                 : edge.holds(plane_.off_lattice().fractions(next));
+    if (!on_line) return std::nullopt;
+    if (!*on_line) return Step::off;
+    const auto advances = edge.advances(*last_point, *point);
+    const auto ends = edge.advances(*point, *plane_.fixed(b));
+    if (!advances || !ends) return std::nullopt;
+    return *advances && *ends ? Step::between : Step::passed;
   }
 
   void count(std::uint64_t steiner) {

@@ -54,7 +54,8 @@ struct RingWalk {
 /// by ring, edge and place on it that is off or passed; the stray loop of the smallest vertex.
 /// Requires: unpaired edges as link_corners gives them; placed vertices as find_placed_vertices
 /// does for the points of the rings; the polygon is valid (model/validate.hpp) for 1. Complexity:
-/// O(n log n) for n unpaired edges and ring vertices; 128-bit integers on the lattice.
+/// O(n log n) for n unpaired edges and ring vertices; in 128-bit integers while edges of the
+/// polygon have their ends on the lattice and subdivide it at its lines.
 RingWalk walk_rings(const ExactPlane& plane, const std::vector<DirectedEdge>& unpaired,
                     const RingVertices& rings, std::span<const PlacedVertex> placed);
 

@@ -147,6 +147,55 @@ TEST(BoundaryKept, VertexOffASlantedEdgeOfAHoleIsNamed) {
   EXPECT_NE(departure(report).find("of ring 1"), std::string::npos) << departure(report);
 }
 
+/// Edges from (0, 0) and (2, 0) up to (1, 3) and (3, 3) with feet at y = 1 and y = 2; the left ones
+/// are vertices 3 and 6.
+Case with_feet(const Rational& scale, const Rational& shift) {
+  return with_polygon(mapped(rectangles("feet", {0, 1, 2}, {0, 1, 2, 3}, {}, Rational(1, 3)),
+                             "moved", scale, shift, 0));
+}
+
+TEST(BoundaryKept, FootWithALatticeCoordinateIsDecidedExactly) {
+  const Rational tiny =
+      dyadic(1, -30) / boost::multiprecision::pow(boost::multiprecision::mpz_int(5), 30);
+  for (const Rational& shift : {Rational(0), Rational(dyadic(1, 59))}) {
+    for (const Rational& scale : {Rational(1024), Rational(dyadic(1, 50) + 1024)}) {
+      Case made = with_feet(scale, shift);
+      expect(made, {});
+      move_by(made, 3, Rational(1, 3), 1);  // along its edge
+      expect(made, {});
+      for (const Rational& step : {tiny, Rational(-tiny), Rational(1, 7), Rational(-1, 3)}) {
+        Case off = made;
+        move_by(off, 6, step, 0);
+        const Report report = expect(off, {"boundary-kept", "area"}, {"no-overlap"});
+        EXPECT_NE(departure(report).find("vertex 6 is off edge"), std::string::npos);
+      }
+    }
+  }
+}
+
+TEST(BoundaryKept, FootAtOrJustBeyondItsNeighbourHasPassed) {
+  for (const Rational& beyond : {Rational(0), Rational(1, 3), Rational(dyadic(1, -90))}) {
+    Case made = with_feet(64, 0);
+    move_by(made, 3, (64 + beyond) / 3, 64 + beyond);  // to vertex 6
+    const Report report = verify_polygon(made.polygon, made.mesh);
+    EXPECT_NE(departure(report).find("is not between its neighbours"), std::string::npos);
+  }
+}
+
+TEST(Area, OfFeetOfManySlopesIsExact) {
+  Case made = with_feet(64, 0);
+  const Report kept = expect(made, {});
+  EXPECT_EQ(kept.find("area")->values[0].second, 6 * 64 * 64);
+  made.mesh.quads.push_back(made.mesh.quads[0]);  // at the left edge: its area once more
+  const Report doubled = expect(made, {"conforming", "euler", "area"}, {"no-overlap"});
+  EXPECT_EQ(doubled.find("area")->values[0].second, 7 * 64 * 64);
+  made.mesh.quads.erase(made.mesh.quads.begin() + 1);
+  made.mesh.quads.erase(made.mesh.quads.begin());
+  const Report lost = verify_polygon(made.polygon, made.mesh);
+  EXPECT_EQ(lost.find("boundary-kept")->exact, Verdict::fails);
+  EXPECT_EQ(lost.find("area")->values[0].second, 5 * 64 * 64);
+}
+
 TEST(BoundaryKept, VertexThatSlidPastItsNeighbourIsNamed) {
   Case made = square();
   move_by(made, 1, Rational(3, 2), 0);  // from 1 to 5/2, beyond vertex 2
