@@ -5,6 +5,7 @@
 #include <atomic>
 #include <bit>
 #include <map>
+#include <set>
 
 namespace quadbound::judge {
 namespace {
@@ -14,6 +15,26 @@ struct Lexicographic {
     const int by_x = a.x.compare(b.x);
     return by_x != 0 ? by_x < 0 : a.y < b.y;
   }
+};
+
+/// Vertices by their positions, without rationals where fixed point tells.
+class ByPosition {
+ public:
+  explicit ByPosition(const ExactPlane& plane) : plane_(plane) {}
+  bool operator()(VertexId a, VertexId b) const {
+    const auto p = plane_.fixed(a);
+    const auto q = plane_.fixed(b);
+    if (p && q) {
+      const auto by_x = sign_of_difference(p->x, q->x);
+      if (by_x && *by_x != 0) return *by_x > 0;
+      const auto by_y = sign_of_difference(p->y, q->y);
+      if (by_x && by_y) return *by_y > 0;
+    }
+    return Lexicographic{}(plane_.rational(a), plane_.rational(b));
+  }
+
+ private:
+  const ExactPlane& plane_;
 };
 
 std::uint64_t hash(LatticePoint p) {
@@ -85,7 +106,9 @@ class PointIndex {
     return it->second;
   }
   [[nodiscard]] std::optional<std::uint32_t> find(const ExactPlane& plane, VertexId v) const {
-    return plane.on_lattice(v) ? find(plane.lattice(v)) : find(plane.rational(v));
+    if (plane.on_lattice(v)) return find(plane.lattice(v));
+    if (others_.empty()) return std::nullopt;
+    return find(plane.rational(v));
   }
 
   void mark(std::uint32_t point) { found_[point].store(true, std::memory_order_relaxed); }
@@ -137,7 +160,7 @@ class PointIndex {
 std::optional<CoincidentVertices> find_coincident(const ExactPlane& plane,
                                                   const CornersByVertex& corners) {
   LatticeTable table(corners.vertices(), 2);
-  std::map<RationalPoint, VertexId, Lexicographic> others;
+  std::set<VertexId, ByPosition> others{ByPosition(plane)};
   for (VertexId v = 0; v < corners.vertices(); ++v) {
     if (!corners.is_used(v)) continue;
     if (plane.on_lattice(v)) {
@@ -145,8 +168,8 @@ std::optional<CoincidentVertices> find_coincident(const ExactPlane& plane,
           table.insert(plane.lattice(v), v, [&](VertexId w) { return plane.lattice(w); });
       if (earlier != LatticeTable::kNone) return {{earlier, v}};
     } else {
-      const auto [it, is_new] = others.emplace(plane.rational(v), v);
-      if (!is_new) return {{it->second, v}};
+      const auto [it, is_new] = others.insert(v);
+      if (!is_new) return {{*it, v}};
     }
   }
   return std::nullopt;
