@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "algo/kites.hpp"
+#include "model/predicates.hpp"
 
 namespace quadbound {
 namespace {
@@ -39,14 +41,21 @@ std::vector<std::optional<std::size_t>> inputs_of(const std::vector<bool>& cut) 
   return result;
 }
 
+/// Scaled by a power of two, so that its squares neither overflow nor vanish.
+Vector near_unit(Vector v) {
+  const int exponent = std::ilogb(std::max(std::abs(v.x), std::abs(v.y)));
+  return {std::ldexp(v.x, -exponent), std::ldexp(v.y, -exponent)};
+}
+
 /// Below 30 degrees the corner construction nearly never finds a way; to learn that each time would
 /// cost an attempt. The exact angle does not matter: others are given a kite when they need one.
 bool needs_kite(const Point& before, const Point& at, const Point& after) {
   constexpr double kSquaredCosine = 0.75;  // of 30 degrees
-  const Vector u{after.x - at.x, after.y - at.y};
-  const Vector v{before.x - at.x, before.y - at.y};
+  const Vector u = near_unit({after.x - at.x, after.y - at.y});
+  const Vector v = near_unit({before.x - at.x, before.y - at.y});
   const double d = dot(u, v);
-  return cross(u, v) > 0 && d > 0 && d * d > kSquaredCosine * dot(u, u) * dot(v, v);
+  return d > 0 && d * d > kSquaredCosine * dot(u, u) * dot(v, v) &&
+         orientation(before, at, after) > 0;
 }
 
 /// By vertex, rings in order.

@@ -62,6 +62,16 @@ std::string json_text(const Mesh& mesh) {
   return stream.str();
 }
 
+/// FNV-1a.
+std::uint64_t fingerprint(const std::string& bytes) {
+  std::uint64_t hash = 0xCBF29CE484222325U;
+  for (const char byte : bytes) {
+    hash ^= static_cast<unsigned char>(byte);
+    hash *= 0x100000001B3U;
+  }
+  return hash;
+}
+
 template <class Map>
 Polygon mapped(Polygon polygon, Map map) {
   for (Ring& ring : polygon.rings)
@@ -636,6 +646,29 @@ TEST(Refusals, TooFarFromTheOrigin) {
 
 // --- deterministic
 // --------------------------------------------------------------------------------
+
+struct Golden {
+  const char* recipe;
+  std::uint64_t hash;
+};
+
+/// They change with the construction, and with nothing else.
+TEST(Deterministic, TheMeshFileHasTheSameBytesInEveryBuild) {
+  constexpr std::array<Golden, 8> golden{{
+      {"regular:n=5", 0xF0935501694E17D2U},
+      {"star:n=20,seed=1,holes=2", 0xFC2FC958761F672U},
+      {"orthogonal:n=24,seed=2", 0xB6A5F7B276123977U},
+      {"sharp:n=10,seed=3", 0x3153D044D68B9C68U},
+      {"coast:n=60,seed=4", 0x35A800B73E1CEB4BU},
+      {"plate:n=4", 0xD8519F2007F3BE06U},
+      {"needle:n=8,seed=5,holes=3", 0xFE800FC060110E21U},
+      {"collinear:n=40,seed=6", 0x9EAC9D14654ED423U},
+  }};
+  for (const Golden& g : golden) {
+    const std::string text = json_text(meshed(polygon_of(g.recipe)).mesh);
+    EXPECT_EQ(fingerprint(text), g.hash) << g.recipe << fmt::format(" 0x{:X}U", fingerprint(text));
+  }
+}
 
 TEST(Deterministic, TheSamePolygonGivesTheSameBytesTwice) {
   for (const std::string& recipe : sample_recipes())
