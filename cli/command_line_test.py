@@ -344,6 +344,165 @@ class Judging(CommandLineTest):
                 self.run_it("verify", "-q", "--points", points, f"{name}.json")
 
 
+class Polygons(CommandLineTest):
+    RECIPE = "star:n=12,seed=1,holes=1"
+    INVALID = (
+        ("empty.geojson", "", ""),
+        ("two.geojson", [[[0, 0], [1, 0]]], "ring 0"),
+        ("bow-tie.geojson", [[[0, 0], [2, 2], [2, 0], [0, 2]]], "ring 0, vertex "),
+        ("repeated.geojson", [[[0, 0], [2, 0], [2, 0], [0, 2]]], "ring 0, vertex 1"),
+        ("flat.geojson", [[[0, 0], [1, 0], [2, 0]]], "ring 0"),
+        ("outside.geojson", [[[0, 0], [2, 0], [0, 2]], [[5, 5], [6, 5], [5, 6]]], "ring 1"),
+        ("crossing.geojson", [[[0, 0], [4, 0], [0, 4]], [[1, 1], [9, 1], [1, 2]]], "ring 0, vertex 1"),
+        ("touching.geojson", [[[0, 0], [4, 0], [0, 4]], [[0, 0], [1, 1], [1, 2]]], "ring 0, vertex 0"),
+        ("tiny.geojson", [[[0, 0], [1e-305, 0], [0, 1]]], "ring 0, vertex 1"),
+        ("cut.geojson", '{"type": "Polygon", "coordinates": [[[0, 0], [1', ""),
+        ("point.geojson", '{"type": "Point", "coordinates": [0, 0]}', ""),
+        ("polygon.dat", "0 0", ""),
+    )
+
+    def polygon(self, recipe=RECIPE, name="polygon.geojson"):
+        self.run_it("generate", recipe, "-o", name)
+        return self.path(name)
+
+    def rings(self, name, rings):
+        closed = [ring + ring[:1] for ring in rings]
+        return self.file(name, json.dumps({"type": "Polygon", "coordinates": closed}))
+
+    def claims(self, *arguments):
+        self.run_it("verify", "-q", *arguments, "--report", "report.json")
+        report = json.loads((self.folder / "report.json").read_text())
+        return {claim["id"]: claim["exact"] for claim in report["claims"]}
+
+    def cells(self, *arguments):
+        self.run_it("mesh", "polygon.geojson", *arguments, "-o", "mesh.json", "--statistics", "s.json")
+        self.assertEqual(set(self.claims("polygon.geojson", "mesh.json").values()), {"holds"})
+        return json.loads((self.folder / "s.json").read_text())["cells"]
+
+    def test_thm_13_proved_for_all_formats_with_deterministic_bytes(self):
+        polygon = self.polygon()
+        runs = []
+        for run in ("first", "second"):
+            (self.folder / run).mkdir()
+            outputs = [argument for f in FORMATS for argument in ("-o", f"{run}/mesh.{f}")]
+            done = self.run_it("mesh", polygon, *outputs, "--report", f"{run}/proof.json",
+                               "--statistics", f"{run}/statistics.json")
+            self.assertRegex(done.stderr_text, r"\A18 vertices, N = \d+ cells .*; thm-13 proved\n\Z")
+            runs.append({p.name: p.read_bytes() for p in (self.folder / run).iterdir()})
+        self.assertEqual(len(runs[0]), len(FORMATS) + 2)
+        for name, content in runs[0].items():
+            self.assertTrue(content)
+            self.assertEqual(content, runs[1][name], name)
+        claims = self.claims(polygon, "first/mesh.json")
+        self.assertEqual(set(claims.values()), {"holds"})
+        self.assertLessEqual({"boundary-kept", "min-angle", "max-angle", "size-5N", "thm-13"},
+                             set(claims))
+
+    def test_all_formats_of_polygons_give_the_same_mesh(self):
+        square = [[0, 0], [4, 0], [4, 4], [0, 4]]
+        hole = [[1, 1], [1, 2], [2, 2], [2, 1]]
+        self.rings("p.geojson", [square, hole])
+        self.file("p.wkt", "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0), (1 1, 1 2, 2 2, 2 1, 1 1))\n")
+        vertices = "".join(f"{i} {x} {y}\n" for i, (x, y) in enumerate(square + hole, 1))
+        segments = "".join(f"{i} {i} {i % 4 + 1 if i < 5 else i % 4 + 5}\n" for i in range(1, 9))
+        self.file("p.poly", f"8 2 0 0\n{vertices}8 0\n{segments}1\n1 1.5 1.5\n")
+        meshes = {self.run_it("mesh", "-q", f"p.{f}", "-o", "-").stdout
+                  for f in ("geojson", "wkt", "poly")}
+        self.assertEqual(len(meshes), 1)
+
+    def test_orientation_of_the_file_does_not_matter(self):
+        square = [[0, 0], [4, 0], [4, 4], [0, 4]]
+        hole = [[1, 1], [1, 2], [2, 2], [2, 1]]
+        for name, rings in (("a", [square, hole]), ("b", [square[::-1], hole[::-1]])):
+            polygon = self.rings(f"{name}.geojson", rings)
+            self.run_it("mesh", polygon, "-o", f"{name}.json")
+            self.run_it("verify", "-q", polygon, f"{name}.json")
+
+    def test_statistics(self):
+        self.run_it("mesh", "-q", self.polygon("sharp:n=8,seed=2"), "--statistics", "s.json")
+        statistics = json.loads((self.folder / "s.json").read_text())
+        self.assertEqual(statistics["input_vertices"], 8)
+        self.assertEqual(sum(statistics["constructions"].values()), statistics["quads"])
+        self.assertEqual(sum(statistics["degrees"].values()), statistics["vertices"])
+        self.assertGreater(statistics["scaled_jacobian"]["smallest"], 0)
+        made = statistics["section_3_4"]
+        self.assertLessEqual({"cells_before_separation", "rounds", "separation_splits",
+                              "dead_end_splits", "restarts", "kites", "kept_quads",
+                              "alpha_vertices_by_level", "centres_aligned"}, set(made))
+        self.assertEqual(made["kites"], 4)  # at every tip
+        self.assertGreaterEqual(made["rounds"], 1)
+
+    def test_sizes_asked_for(self):
+        self.polygon()
+        free = self.cells()
+        self.file("sizes.csv", "# near a corner\n0.5,0.1,0.01\n\n0.1,0.5,0.02\n")
+        for options in (("--max-size", 0.05), ("--refine-near", "0.5,0.1,0.01"),
+                        ("--refine-near", "-0.2,0.3,0.3,0.1,0.02", "--refine-near", "0,0,0.01"),
+                        ("--size-field", "sizes.csv"), ("--boundary-size", 0.02),
+                        ("--boundary-size", 0.02, "--boundary-growth", 0.3)):
+            self.assertGreater(self.cells(*options), free, options)
+        self.assertEqual(self.cells("--max-size", 1000), free)
+
+    def test_sizes_that_are_none_are_refused(self):
+        polygon = self.polygon()
+        self.file("two.csv", "0,0,1\n0,0\n")
+        self.file("zero.csv", "0,0,0\n")
+        for number in ("0", "-1", "nan", "inf", "much", ""):
+            for option in ("--max-size", "--boundary-size"):
+                line = self.one_line("mesh", polygon, option, number, "-o", "mesh.json")
+                self.assertIn(option, line)
+                self.assertLess(len(line), 200)
+        for source in ("1,2", "a,b,c", "0,0,0", "0,0,-1", "0,0,nan", "0,0,1,1", "0,0,1,", ""):
+            self.assertIn("--refine-near", self.one_line("mesh", polygon, "--refine-near", source))
+        self.assertIn("nothing.csv", self.one_line("mesh", polygon, "--size-field", "nothing.csv"))
+        self.assertIn("line 2", self.one_line("mesh", polygon, "--size-field", "two.csv"))
+        self.assertIn("line 1", self.one_line("mesh", polygon, "--size-field", "zero.csv"))
+        self.one_line("mesh", polygon, "--boundary-growth", 1)
+        self.one_line("mesh", polygon, "--boundary-size", 1, "--boundary-growth", -1)
+        for option in ("--max-size", "--boundary-size"):
+            self.one_line("mesh", "--points", polygon, option, 1)
+        self.assertEqual(self.names(), ["polygon.geojson", "two.csv", "zero.csv"])
+
+    def test_budgets(self):
+        polygon = self.polygon()
+        self.file("mesh.json", "as it was")
+        for option in (("--max-cells", 50), ("--max-seconds", 0), ("--max-seconds", 1e-9)):
+            line = self.one_line("mesh", polygon, "-o", "mesh.json", *option, status=3)
+            self.assertTrue(line.startswith(f"quadbound: {polygon}: "), line)
+            self.assertIn(f"raise {option[0]}", line)
+        self.assertEqual((self.folder / "mesh.json").read_text(), "as it was")
+        deep = self.rings("deep.geojson", [[[-1, -1], [1, -1], [1, 1], [-1, 1]],
+                                           [[0, 0], [0, 1e-250], [1e-250, 0]]])
+        self.assertIn("exact coordinates end", self.one_line("mesh", deep, status=3))
+        for number in ("-1", "nan", "long"):
+            self.assertIn("--max-seconds", self.one_line("mesh", polygon, "--max-seconds", number))
+
+    def test_input_validated_one_line_names_file_and_vertex(self):
+        for name, content, place in self.INVALID:
+            with self.subTest(name):
+                is_text = isinstance(content, str)
+                path = self.file(name, content) if is_text else self.rings(name, content)
+                line = self.one_line("mesh", path, "-o", "mesh.json")
+                self.assertTrue(line.startswith(f"quadbound: {path}: {place}"), line)
+                self.assertFalse((self.folder / "mesh.json").exists())
+
+    def test_options_of_point_sets_are_refused(self):
+        polygon = self.polygon()
+        for option in (("--warp", "paper"), ("--grid", "5x5"), ("--two-two", "paper")):
+            line = self.one_line("mesh", polygon, *option)
+            self.assertIn(option[0], line)
+            self.assertIn("--points", line)
+
+    def test_no_verify(self):
+        polygon = self.polygon()
+        done = self.run_it("mesh", polygon, "--no-verify", "-o", "fast.json")
+        self.assertIn("not verified", done.stderr_text)
+        self.assertNotIn("proved", done.stderr_text)
+        self.run_it("mesh", polygon, "-o", "slow.json")
+        self.assertEqual((self.folder / "fast.json").read_bytes(),
+                         (self.folder / "slow.json").read_bytes())
+
+
 class Progress(CommandLineTest):
     LONG_WORK = ("fuzz", "--points", "-q", "--seconds", "3", "--families", "uniform")
 

@@ -242,6 +242,20 @@ void add_picture_options(CLI::App& command, MeshOptions& options) {
   command.add_flag("--dots", options.dots, "draw the input points in pictures");
 }
 
+/// CLI11's own lets NaN pass, and says what it expects with 309 digits.
+CLI::Validator positive_number(bool or_zero = false) {
+  return CLI::Validator(
+      [or_zero](std::string& text) -> std::string {
+        const auto number = parse_numbers(text);
+        if (number && number->size() == 1 &&
+            (number->front() > 0 || (or_zero && number->front() == 0)))
+          return {};
+        return fmt::format("a {} number is expected, not {}", or_zero ? "non-negative" : "positive",
+                           text);
+      },
+      or_zero ? "NONNEGATIVE" : "POSITIVE");
+}
+
 void add_construction_options(CLI::App& command, PointMeshOptions& options) {
   command
       .add_option("--grid", options.refinement,
@@ -263,7 +277,7 @@ void add_construction_options(CLI::App& command, PointMeshOptions& options) {
       ->check(CLI::Range(std::uint64_t{1}, kMostCells))
       ->capture_default_str();
   command.add_option("--max-seconds", options.budget.max_seconds, "stop beyond so many seconds")
-      ->check(CLI::NonNegativeNumber)
+      ->check(positive_number(true))
       ->capture_default_str();
 }
 
@@ -283,7 +297,7 @@ void add_sizing_options(CLI::App& command, MeshOptions& options) {
   command
       .add_option("--max-size", options.sizing.largest,
                   "no quadtree cell inside is wider than this")
-      ->check(CLI::PositiveNumber);
+      ->check(positive_number());
   command
       .add_option("--refine-near", options.refine_near,
                   "cells of at most SIZE at a point or a segment, growing with half the distance; "
@@ -294,11 +308,11 @@ void add_sizing_options(CLI::App& command, MeshOptions& options) {
   command
       .add_option("--boundary-size", options.sizing.boundary_size,
                   "no wider than this at the boundary")
-      ->check(CLI::PositiveNumber);
+      ->check(positive_number());
   command
       .add_option("--boundary-growth", options.sizing.boundary_growth,
                   "and this part of the distance to it more inside")
-      ->check(CLI::NonNegativeNumber)
+      ->check(positive_number(true))
       ->needs("--boundary-size");
   for (const char* name : {"--max-size", "--refine-near", "--size-field", "--boundary-size"})
     command.get_option(name)->excludes("--points");
