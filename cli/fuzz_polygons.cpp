@@ -358,8 +358,12 @@ void PolygonTally::add(std::uint64_t index, const PolygonResult& result,
 
 std::vector<std::string> PolygonTally::never_reached() const {
   std::vector<std::string> names;
-  for (std::size_t i = 0; i < constructions.size(); ++i)
+  for (std::size_t i = 0; i < constructions.size(); ++i) {
+    // A whole kite needs sides without Steiner points, but condition A.3 makes every side of a kite
+    // longer than 2 sqrt(2) cells: only tests of fill_kites by itself reach it.
+    if (i == number_of(StripConstruction::kKiteWhole)) continue;
     if (constructions[i].quads == 0) names.emplace_back(polygon_construction_name(i));
+  }
   return names;
 }
 

@@ -169,6 +169,7 @@ struct PolygonTally {
 
   void add(std::uint64_t index, const PolygonResult& result, const std::string& family);
   /// Names of constructions without a quad.
+  /// Of those that a polygon can need: all but "kite whole".
   [[nodiscard]] std::vector<std::string> never_reached() const;
 };
 
