@@ -15,6 +15,7 @@
 #include "generators/points.hpp"
 #include "generators/polygons.hpp"
 #include "model/files.hpp"
+#include "model/write_points.hpp"
 #include "model/write_polygon.hpp"
 
 namespace quadbound::cli {
@@ -60,15 +61,18 @@ void append_families(std::string& text, std::span<const FamilyDescription> famil
 }
 
 std::string family_list() {
-  std::string text = "Point sets (as CSV), and their parameters for --set NAME=VALUE:\n";
+  std::string text =
+      "Point sets (.csv, .node, .xyz, .txt; CSV on standard output), and their parameters for "
+      "--set NAME=VALUE:\n";
   append_families(text, point_families());
-  text += "\nPolygons (as GeoJSON):\n";
+  text += "\nPolygons (.geojson, .json, .poly, .wkt; GeoJSON on standard output):\n";
   append_families(text, polygon_families());
   return text + R"(
 Examples:
   quadbound generate uniform --n 1000 --seed 7 -o points.csv
   quadbound generate clustered --n 500 --set clusters=5 -o points.csv
   quadbound generate star --n 40 --holes 3 -o polygon.geojson
+  quadbound generate koch --n 48 -o snowflake.poly
   quadbound generate growth --n 200 --seed 1 --count 10 -o polygon.geojson
   quadbound generate grid:n=100,seed=1
   quadbound generate --gallery families.svg)";
@@ -82,16 +86,16 @@ bool is_polygon(const std::string& recipe) {
 }
 
 void write_polygon(const std::string& path, const PolygonRecipe& recipe) {
+  const PolygonFormat format = path == "-" ? PolygonFormat::kGeoJson : polygon_format(path);
   const Polygon polygon = generate_polygon(recipe);
-  write_file(path, [&polygon](std::ostream& stream) { write_geojson(stream, polygon); });
+  write_file(path,
+             [&](std::ostream& stream) { quadbound::write_polygon(stream, polygon, format); });
 }
 
 void write_points(const std::string& path, const PointRecipe& recipe) {
+  const PointFormat format = path == "-" ? PointFormat::kCsv : point_format(path);
   const PointSet points = generate_points(recipe);
-  write_file(path, [&points](std::ostream& stream) {
-    stream << "x,y\n";
-    for (const Point& p : points.points) stream << fmt::format("{},{}\n", p.x, p.y);
-  });
+  write_file(path, [&](std::ostream& stream) { quadbound::write_points(stream, points, format); });
 }
 
 /// Where the result of a seed goes: with several seeds, FILE.csv becomes FILE-SEED.csv.
@@ -157,7 +161,9 @@ void add_generate_command(CLI::App& app, Outcome& outcome) {
   command->add_option("--holes", options->holes, "holes of a polygon, like --set holes=NUMBER");
   command->add_option("--set", options->parameters, "a parameter of the family, NAME=VALUE")
       ->allow_extra_args(false);
-  command->add_option("-o,--output", options->output, "where to write; - is standard output")
+  command
+      ->add_option("-o,--output", options->output,
+                   "where to write; the extension is the format, - is standard output")
       ->capture_default_str();
   command
       ->add_option("--gallery", options->gallery,

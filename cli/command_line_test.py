@@ -246,6 +246,22 @@ class Generating(CommandLineTest):
         self.run_it("generate", "growth:n=50,seed=9,holes=2", "-o", "alone.geojson")
         self.assertEqual(self.rings("alone.geojson"), self.rings("p-9.geojson"))
 
+    def test_the_extension_chooses_the_format(self):
+        for recipe, names in (("star:n=20,seed=2,holes=2", ("p.geojson", "p.poly", "p.wkt", "q.json")),
+                              (RECIPE, ("p.csv", "p.node", "p.xyz", "p.txt"))):
+            meshes = set()
+            for name in names:
+                self.run_it("generate", recipe, "-o", name)
+                points = ["--points"] if recipe == RECIPE else []
+                self.run_it("mesh", *points, name, "-o", "mesh.json")
+                meshes.add((self.folder / "mesh.json").read_bytes())
+            self.assertEqual(len(meshes), 1, recipe)
+        before = self.names()
+        self.assertIn("p.svg: not a polygon file", self.one_line("generate", "koch:n=12", "-o", "p.svg"))
+        self.assertIn("p.wkt: not a point file", self.one_line("generate", RECIPE, "-o", "p.wkt"))
+        self.one_line("generate", "koch:n=12", "-o", "p")
+        self.assertEqual(self.names(), before)
+
     def test_gallery_in_every_format_of_pictures(self):
         for name, start in (("g.svg", b"<?xml"), ("g.pdf", b"%PDF"), ("g.png", b"\x89PNG")):
             self.run_it("generate", "--gallery", name)

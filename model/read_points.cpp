@@ -102,7 +102,9 @@ Points parse_columns(TextScanner& scanner, std::size_t most) {
   return points;
 }
 
-PointFormat format_of(const std::string& path) {
+}  // namespace
+
+PointFormat point_format(const std::string& path) {
   const std::string extension = extension_of(path);
   if (extension == ".csv") return PointFormat::kCsv;
   if (extension == ".node") return PointFormat::kNode;
@@ -113,8 +115,6 @@ PointFormat format_of(const std::string& path) {
                        ? "the format of the points must be given"
                        : "not a point file: the extension must be .csv, .node, .xyz or .txt");
 }
-
-}  // namespace
 
 PointSet parse_points(std::string_view text, PointFormat format, std::string file) {
   if (trimmed(without_byte_order_mark(text)).empty())
@@ -136,7 +136,7 @@ PointSet parse_points(std::string_view text, PointFormat format, std::string fil
 }
 
 PointSet read_points(const std::string& path, std::optional<PointFormat> format) {
-  const PointFormat known = format ? *format : format_of(path);
+  const PointFormat known = format ? *format : point_format(path);
   return parse_points(read_file(path), known, file_name_of(path));
 }
 

@@ -17,6 +17,10 @@ enum class PointFormat {
   kText,  ///< .txt: "x y" lines
 };
 
+/// The format that a file name tells. Errors: InputError, on one line that names the extensions
+/// there are.
+PointFormat point_format(const std::string& path);
+
 /// Reads a point set; the format goes by the extension unless it is given. "-" is standard input
 /// and needs a format.
 ///

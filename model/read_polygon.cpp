@@ -7,9 +7,8 @@
 #include "model/text_scanner.hpp"
 
 namespace quadbound {
-namespace {
 
-PolygonFormat format_of(const std::string& path) {
+PolygonFormat polygon_format(const std::string& path) {
   const std::string extension = extension_of(path);
   if (extension == ".geojson" || extension == ".json") return PolygonFormat::kGeoJson;
   if (extension == ".poly") return PolygonFormat::kPoly;
@@ -19,8 +18,6 @@ PolygonFormat format_of(const std::string& path) {
       path == "-" ? "the format of the polygon must be given"
                   : "not a polygon file: the extension must be .geojson, .json, .poly or .wkt");
 }
-
-}  // namespace
 
 void drop_closing_vertex(Ring& ring, const std::string& file, std::size_t ring_number) {
   if (ring.empty()) throw InputError({file, ring_number, {}}, "the ring is empty");
@@ -45,7 +42,7 @@ Polygon parse_polygon(std::string_view text, PolygonFormat format, const std::st
 }
 
 Polygon read_polygon(const std::string& path, std::optional<PolygonFormat> format) {
-  const PolygonFormat known = format ? *format : format_of(path);
+  const PolygonFormat known = format ? *format : polygon_format(path);
   return parse_polygon(read_file(path), known, file_name_of(path));
 }
 

@@ -16,6 +16,10 @@ enum class PolygonFormat {
   kWkt,      ///< .wkt: POLYGON ((x y, ...), ...)
 };
 
+/// The format that a file name tells. Errors: InputError, on one line that names the extensions
+/// there are.
+PolygonFormat polygon_format(const std::string& path);
+
 /// Reads a polygon; the format goes by the extension unless it is given. "-" is standard input and
 /// needs a format.
 ///
