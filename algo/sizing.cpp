@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "algo/sizing.hpp"
 
+// Boost 1.74's R-tree includes a header of Boost that is deprecated and says so on every build.
+#define BOOST_ALLOW_DEPRECATED_HEADERS
 #include <algorithm>
 #include <boost/geometry.hpp>
 #include <boost/geometry/geometries/point_xy.hpp>

@@ -17,20 +17,12 @@
 #include "algo/mesh_points.hpp"
 #include "algo/quadrangulation.hpp"
 #include "algo/template_tree.hpp"
-#include "bench/resident_memory.hpp"
+#include "bench/staged.hpp"
 #include "generators/points.hpp"
 #include "verify/verify.hpp"
 
 namespace quadbound {
 namespace {
-
-#if defined(__clang__)
-constexpr const char* kCompiler = __VERSION__;  // names itself
-#else
-constexpr const char* kCompiler = "GCC " __VERSION__;
-#endif
-
-bool all_right = true;
 
 // ---- The point sets and their proved meshes
 
@@ -171,67 +163,31 @@ struct WholeStage {
 // ---- Timing
 
 void count(benchmark::State& state, const Answer& answer) {
-  const auto set = [&state](const char* name, std::uint64_t value) {
-    state.counters[name] = benchmark::Counter(static_cast<double>(value));
-  };
-  set("quads", answer.quads);
-  set("cells", answer.cells);
-  set("vertices", answer.vertices);
-  set("off_lattice", answer.off_lattice);
-  set("splits", answer.counters.splits);
-  set("refinement_splits", answer.counters.refinement_splits);
-  set("extras_made", answer.counters.extras_made);
-  set("extras_moved", answer.counters.extras_moved);
-  set("extras_dropped", answer.counters.extras_dropped);
-  set("centres_aligned", answer.counters.centres_aligned);
-  using Flags = benchmark::Counter;
-  const auto quads = static_cast<double>(answer.quads);
-  state.counters["quads_per_second"] = Flags(quads, Flags::kIsIterationInvariantRate);
-  state.counters["time_per_quad"] = Flags(quads, Flags::kIsIterationInvariantRate | Flags::kInvert);
-}
-
-/// Below this many quads the peak is lost in what the process holds anyway.
-constexpr std::uint64_t kFewQuads = 100'000;
-
-/// Runs the stage once outside the timing: its answer must be right, and its peak of memory is
-/// taken.
-template <class Stage>
-bool passes_trial(benchmark::State& state, Stage& stage, const Answer& answer) {
-  stage.prepare();
-  const ResidentPeak peak;
-  const auto made = stage.run();
-  const auto bytes = peak.beyond_start();
-  if (bytes && answer.quads >= kFewQuads)
-    state.counters["peak_bytes_per_quad"] =
-        static_cast<double>(*bytes) / static_cast<double>(answer.quads);
-  return stage.is_right(made);
-}
-
-void refuse(benchmark::State& state, const char* why) {
-  all_right = false;
-  state.SkipWithError(why);
+  set_counter(state, "quads", answer.quads);
+  set_counter(state, "cells", answer.cells);
+  set_counter(state, "vertices", answer.vertices);
+  set_counter(state, "off_lattice", answer.off_lattice);
+  set_counter(state, "splits", answer.counters.splits);
+  set_counter(state, "refinement_splits", answer.counters.refinement_splits);
+  set_counter(state, "extras_made", answer.counters.extras_made);
+  set_counter(state, "extras_moved", answer.counters.extras_moved);
+  set_counter(state, "extras_dropped", answer.counters.extras_dropped);
+  set_counter(state, "centres_aligned", answer.counters.centres_aligned);
 }
 
 template <class Stage>
-void time_stage(benchmark::State& state, const std::string& family, std::uint64_t n) {
+void time_case(benchmark::State& state, const std::string& family, std::uint64_t n) {
   const PointCase& c = case_of(family, n);
   if (!c.answer.proved) return refuse(state, "the mesh is not proved");
   Stage stage(c);
-  if (!passes_trial(state, stage, c.answer)) return refuse(state, "the stage differs");
-  for (auto _ : state) {
-    state.PauseTiming();
-    stage.prepare();
-    state.ResumeTiming();
-    auto made = stage.run();
-    benchmark::DoNotOptimize(made);
-  }
+  time_stage(state, stage, c.answer.quads);
   count(state, c.answer);
 }
 
 template <class Stage>
 void add_stage(const std::string& family, std::uint64_t n) {
   const std::string name = fmt::format("{}/{}/{}", Stage::kName, family, n);
-  const auto time = [family, n](benchmark::State& state) { time_stage<Stage>(state, family, n); };
+  const auto time = [family, n](benchmark::State& state) { time_case<Stage>(state, family, n); };
   benchmark::RegisterBenchmark(name.c_str(), time)->Unit(benchmark::kMillisecond);
 }
 
@@ -249,32 +205,9 @@ void add_all(bool large) {
   if (large) add_case("uniform", 1'000'000);
 }
 
-/// Takes `--large` off the arguments.
-bool wants_large(int& argc, char** argv) {
-  int kept = 1;
-  bool found = false;
-  for (int i = 1; i < argc; ++i) {
-    if (std::string_view(argv[i]) == "--large") {
-      found = true;
-    } else {
-      argv[kept++] = argv[i];
-    }
-  }
-  argc = kept;
-  return found;
-}
-
 }  // namespace
 }  // namespace quadbound
 
 int main(int argc, char** argv) {
-  const bool large = quadbound::wants_large(argc, argv);
-  benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
-  benchmark::AddCustomContext("compiler", quadbound::kCompiler);
-  quadbound::add_all(large);
-  // A filter that matches nothing would time nothing for ever.
-  if (benchmark::RunSpecifiedBenchmarks() == 0) return 2;
-  benchmark::Shutdown();
-  return quadbound::all_right ? 0 : 1;
+  return quadbound::run_benchmarks(argc, argv, quadbound::add_all);
 }
