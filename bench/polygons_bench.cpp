@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What meshing a polygon with holes and proving the mesh cost: as a whole, and stage by stage where
-// the first tree that edge separation accepts is the last one. There the times of the stages add up
-// to that of meshing.
+// the first round leads to it. There the times of the stages add up to that of meshing.
 //
 // Before anything of a polygon is timed, its mesh is made and all of thm-13 proved; a stage whose
 // outcome differs from that of the proved mesh is not timed either.
@@ -97,7 +96,7 @@ const PolygonCase& case_of(const std::string& family, std::uint64_t n) {
   return current;
 }
 
-// ---- The road of one attempt without dead ends, as DomainMesher goes it
+// ---- The road of one round, as DomainMesher goes it
 
 Domain domain_of(const PolygonCase& c) {
   const auto size =
@@ -128,24 +127,11 @@ void separate_cells(const Domain& domain, Separation& separation) {
   }
 }
 
-/// A round of edge separation that finds faults, as all but the last do.
-void separate_edges(const Domain& domain, Separation& separation) {
-  Counters counters;
-  const TreeMesh tree_mesh(domain, separation, counters);
-  const CutQuads cut_quads(domain, tree_mesh);
-  const auto faults = separation_faults(domain, tree_mesh, cut_quads);
-  std::vector<Cell> to_split = leaves_along_gaps(domain, tree_mesh, cut_quads, faults);
-  for (const SeparationFault& fault : faults) to_split.push_back(fault.split);
-  separation.refine(to_split);
-}
-
 /// What each step leaves to the next ones.
 struct AfterTree {
   explicit AfterTree(const PolygonCase& the_case)
       : c(the_case), domain(domain_of(the_case)), separation(separated(domain)) {
     separate_cells(domain, separation);
-    for (std::uint64_t round = 1; round < c.answer.counters.rounds; ++round)
-      separate_edges(domain, separation);
   }
   const PolygonCase& c;
   Domain domain;
@@ -374,7 +360,7 @@ void add_whole(const std::string& family, std::uint64_t n) {
   add_stage<WholeStage>(family, n);
 }
 
-/// For polygons that are meshed without kites and dead ends.
+/// For polygons that are meshed in one round and without kites.
 void add_stages(const std::string& family, std::uint64_t n) {
   add_stage<TreeStage>(family, n);
   add_stage<QuadrangulationStage>(family, n);
@@ -388,7 +374,7 @@ void add_stages(const std::string& family, std::uint64_t n) {
 void add_all(bool large) {
   for (const char* family : {"regular", "blob"})
     for (const std::uint64_t n : {1'000U, 10'000U, 100'000U}) add_stages(family, n);
-  add_stages("comb", 1'000);
+  add_whole("comb", 1'000);
   add_whole(std::string(kLake), 303);
   add_whole("coast", 10'000);
   if (!large) return;
