@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Polygons through the mesher and the judge: named shapes, random families, what must not change
-// the mesh, sizing, refusals.
+// Polygons through the mesher and the judge: named shapes, random families, sizing, refusals. What
+// must not change a mesh: properties_metamorphic_test.cpp.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -333,125 +333,6 @@ TEST(Coordinates, MovedFarAwayAndScaled) {
   }
 }
 
-// --- metamorphic: what must not change the mesh
-// -----------------------------------------------------
-
-/// Polygons with so few bits that they can be moved without rounding.
-const std::vector<std::string>& sample_recipes() {
-  static const std::vector<std::string> recipes{
-      "star:n=16,seed=1,holes=2",   "regular:n=9",          "orthogonal:n=20,seed=2,holes=1",
-      "grid-aligned:n=16,seed=3",   "growth:n=20,seed=4",   "coast:n=24,seed=5,holes=2",
-      "two-opt:n=14,seed=6",        "blob:n=19,holes=1",    "sharp:n=12,seed=7",
-      "slopes:n=16,seed=8,holes=1", "clusters:n=8,holes=6", "needle:n=6,holes=2,depth=6",
-  };
-  return recipes;
-}
-
-/// Whether `image` is `mesh` with every vertex multiplied by 2^exponent and moved.
-bool is_image(const Mesh& mesh, const Mesh& image, int exponent, const Point& by) {
-  if (mesh.quads != image.quads || mesh.vertices.size() != image.vertices.size()) return false;
-  const Rational factor = dyadic(1, exponent);
-  const RationalPoint shift = exact_value(by);
-  for (VertexId v = 0; v < mesh.vertices.size(); ++v) {
-    const RationalPoint a = mesh.vertices.exact(v);
-    const RationalPoint b = image.vertices.exact(v);
-    if (a.x * factor + shift.x != b.x || a.y * factor + shift.y != b.y) return false;
-  }
-  return true;
-}
-
-/// The lattice ends where doubles would: farther from the origin it is coarser, and Steiner points
-/// are other ones. The polygon is first moved to where its neighbourhood has one lattice.
-TEST(Metamorphic, MovingBySixteenthsOfTheRootMovesTheMesh) {
-  for (const std::string& recipe : sample_recipes()) {
-    const Polygon near = polygon_of(recipe);
-    const RootSquare root = meshed(near).root;
-    const double side = std::ldexp(1.0, root.side_bits + root.exponent);
-    const Polygon polygon = moved(near, {5 * side, 5 * side});
-    const PolygonMesh made = meshed(polygon);
-    for (const Point steps : {Point{1, 0}, Point{0, -3}, Point{-5, 7}, Point{8, 8}}) {
-      const Point by{steps.x * side / 16, steps.y * side / 16};
-      const PolygonMesh image = meshed(moved(polygon, by));
-      ASSERT_EQ(image.root.exponent, made.root.exponent) << recipe;
-      EXPECT_TRUE(is_image(made.mesh, image.mesh, 0, by))
-          << recipe << " by " << steps.x << ", " << steps.y << " sixteenths";
-    }
-  }
-}
-
-TEST(Metamorphic, ScalingByPowersOfTwoScalesTheMesh) {
-  for (const std::string& recipe : sample_recipes()) {
-    const Polygon polygon = polygon_of(recipe);
-    const Mesh mesh = meshed(polygon).mesh;
-    for (const int exponent : {-900, -31, 1, 64, 900})
-      EXPECT_TRUE(
-          is_image(mesh, meshed(scaled(polygon, std::ldexp(1.0, exponent))).mesh, exponent, {}))
-          << recipe << " by 2^" << exponent;
-  }
-}
-
-using Place = std::pair<Rational, Rational>;
-
-/// A mesh but for its numbering: the places of the vertices in order, and the quads as numbers of
-/// places, the smallest first, in order.
-struct Shape {
-  std::vector<Place> places;
-  std::vector<Quad> quads;
-  friend bool operator==(const Shape&, const Shape&) = default;
-};
-
-Shape shape_of(const Mesh& mesh) {
-  std::vector<std::pair<Place, VertexId>> sorted;
-  for (VertexId v = 0; v < mesh.vertices.size(); ++v) {
-    const RationalPoint p = mesh.vertices.exact(v);
-    sorted.push_back({{p.x, p.y}, v});
-  }
-  std::ranges::sort(sorted);
-  Shape shape;
-  std::vector<VertexId> rank(sorted.size());
-  for (const auto& [place, v] : sorted) {
-    rank[v] = static_cast<VertexId>(shape.places.size());
-    shape.places.push_back(place);
-  }
-  for (Quad quad : mesh.quads) {
-    for (VertexId& v : quad) v = rank[v];
-    std::ranges::rotate(quad, std::ranges::min_element(quad));
-    shape.quads.push_back(quad);
-  }
-  std::ranges::sort(shape.quads);
-  return shape;
-}
-
-/// Only numbers change: those of the polygon's vertices and of the feet on its edges follow the
-/// file.
-TEST(Metamorphic, TheOrderOfRingsAndTheirFirstVerticesDoNotMatter) {
-  for (const std::string& recipe : sample_recipes()) {
-    const Polygon polygon = polygon_of(recipe);
-    const Shape shape = shape_of(meshed(polygon).mesh);
-    for (const std::ptrdiff_t first : {1, 3}) {
-      Polygon other = polygon;
-      std::reverse(other.rings.begin() + 1, other.rings.end());
-      for (Ring& ring : other.rings)
-        std::ranges::rotate(ring, ring.begin() + first % std::ssize(ring));
-      EXPECT_EQ(shape_of(meshed(other).mesh), shape) << recipe << " from vertex " << first;
-    }
-  }
-}
-
-/// No more than the proof is the same: the root square is shifted to the left and down, by
-/// different amounts, wherever the polygon is turned to.
-TEST(Metamorphic, TurnedByRightAnglesAndMirroredPolygonsAreProved) {
-  for (const std::string& recipe : sample_recipes()) {
-    const Polygon polygon = polygon_of(recipe);
-    for (const Turn turn : {Turn{0, 1}, Turn{-1, 0}, Turn{0, -1}})
-      EXPECT_EQ(flaw(turned(polygon, turn)), "") << recipe << " " << to_text(turn);
-    const auto mirrored = [](Point p) { return Point{-p.x, p.y}; };
-    const auto swapped = [](Point p) { return Point{p.y, p.x}; };
-    EXPECT_EQ(flaw(mapped(polygon, mirrored)), "") << recipe << " mirrored";
-    EXPECT_EQ(flaw(mapped(polygon, swapped)), "") << recipe << " swapped";
-  }
-}
-
 // --- random polygons
 // ------------------------------------------------------------------------------
 
@@ -668,13 +549,6 @@ TEST(Deterministic, TheMeshFileHasTheSameBytesInEveryBuild) {
     const std::string text = json_text(meshed(polygon_of(g.recipe)).mesh);
     EXPECT_EQ(fingerprint(text), g.hash) << g.recipe << fmt::format(" 0x{:X}U", fingerprint(text));
   }
-}
-
-TEST(Deterministic, TheSamePolygonGivesTheSameBytesTwice) {
-  for (const std::string& recipe : sample_recipes())
-    EXPECT_EQ(json_text(meshed(polygon_of(recipe)).mesh),
-              json_text(meshed(polygon_of(recipe)).mesh))
-        << recipe;
 }
 
 }  // namespace
