@@ -78,7 +78,7 @@ def summary(suite, entries):
         values = [unit * entry[measured] for entry in entries if measured in entry]
         if values:
             result[key] = {"median": statistics.median(values), "least": min(values),
-                           "largest": max(values)}
+                           "largest": max(values), "values": sorted(values)}
     return result
 
 
