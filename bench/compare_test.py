@@ -13,10 +13,12 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import xml.etree.ElementTree
 
 sys.dont_write_bytecode = True
 HERE = pathlib.Path(__file__).parent
 sys.path.insert(0, str(HERE))
+import history  # noqa: E402
 import record  # noqa: E402
 
 
@@ -204,6 +206,19 @@ class Recording(unittest.TestCase):
         self.assertEqual((lines[0], lines[-1]), ("before", "after"))
         self.assertTrue(any(line.startswith("| regular | 1,000 | 31,988 | 1 |") for line in lines))
         self.assertNotIn("old", lines)
+
+    def test_history(self):
+        noise = random.Random(5)
+        with tempfile.TemporaryDirectory() as folder:
+            for day, slowdown in ((1, 1.0), (2, 0.5)):
+                one = {**made(noise, slowdown), "date": f"2026-01-0{day}", "commit": f"000000{day}"}
+                (pathlib.Path(folder) / f"{9 - day}.json").write_text(json.dumps(one))
+            records = history.records(pathlib.Path(folder))
+        picture = xml.etree.ElementTree.fromstring(history.drawing(records, "whole"))
+        dots = list(picture.iter("{http://www.w3.org/2000/svg}circle"))
+        self.assertEqual(len(dots), 2 * 4)
+        heights = [float(dot.get("cy")) for dot in dots]
+        self.assertTrue(all(before < after for before, after in zip(heights[::2], heights[1::2])))
 
 
 if __name__ == "__main__":

@@ -119,7 +119,7 @@ TEST(PolygonCampaign, ABudgetIsARefusal) {
 // ------------------------------------------------------------------------------
 
 TEST(IsolatedTask, AnswersHoweverLong) {
-  const std::string long_text(1 << 20, 'x');
+  std::string long_text(1 << 20, 'x');
   const TaskOutcome outcome = run_isolated([&] { return long_text; }, {});
   EXPECT_EQ(outcome.end, TaskEnd::kAnswered);
   EXPECT_EQ(outcome.answer, long_text);
