@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "cli/commands.hpp"
+#include "cli/family_table.hpp"
 #include "generators/gallery.hpp"
 #include "generators/points.hpp"
 #include "generators/polygons.hpp"
@@ -30,6 +31,7 @@ struct GenerateCommand {
   std::vector<std::string> parameters;
   std::string output = "-";
   std::string gallery;
+  std::string statistics;
 };
 
 /// The recipe that the options spell, in its one-line form.
@@ -75,7 +77,8 @@ Examples:
   quadbound generate koch --n 48 -o snowflake.poly
   quadbound generate growth --n 200 --seed 1 --count 10 -o polygon.geojson
   quadbound generate grid:n=100,seed=1
-  quadbound generate --gallery families.svg)";
+  quadbound generate --gallery families.svg
+  quadbound generate --statistics families.md --n 60 --count 100)";
 }
 
 bool is_polygon(const std::string& recipe) {
@@ -126,12 +129,32 @@ void write_gallery(const std::string& path) {
   });
 }
 
+void write_statistics(const GenerateCommand& options) {
+  const std::string extension = std::filesystem::path(options.statistics).extension().string();
+  const bool is_json = extension == ".json";
+  if (options.statistics != "-" && !is_json && extension != ".md")
+    throw CLI::ValidationError("--statistics",
+                               fmt::format("{} is no table: .md, .json or -", options.statistics));
+  FamilyTableRequest request{{}, options.n, options.count, options.seed, options.holes};
+  if (!options.family.empty()) request.families.push_back(options.family);
+  for (const FamilyDescription& family : polygon_families())
+    if (options.family.empty()) request.families.emplace_back(family.name);
+  const std::vector<FamilyRow> rows = family_rows(request);
+  write_file(options.statistics, [&](std::ostream& stream) {
+    stream << (is_json ? to_json(request, rows) : to_markdown(request, rows));
+  });
+}
+
 ExitStatus generate(const GenerateCommand& options) {
   if (!options.gallery.empty()) {
     write_gallery(options.gallery);
     return kGood;
   }
-  if (options.family.empty()) throw CLI::RequiredError("FAMILY, or --gallery");
+  if (!options.statistics.empty()) {
+    write_statistics(options);
+    return kGood;
+  }
+  if (options.family.empty()) throw CLI::RequiredError("FAMILY, --gallery or --statistics");
   if (options.count > 1 && options.output == "-")
     throw CLI::ValidationError("--count", "several results need -o FILE");
   const std::string text = recipe_text(options);
@@ -150,6 +173,9 @@ void add_generate_command(CLI::App& app, Outcome& outcome) {
   command->footer(family_list());
   CLI::Option* family = command->add_option("FAMILY", options->family,
                                             "a family, or a whole recipe FAMILY:n=N,seed=S,...");
+  CLI::Option* parameters =
+      command->add_option("--set", options->parameters, "a parameter of the family, NAME=VALUE");
+  parameters->allow_extra_args(false);
   command->add_option("--n", options->n, "number of points, or of vertices of the outer ring")
       ->capture_default_str();
   command->add_option("--seed", options->seed, "the same seed gives the same bytes")
@@ -159,16 +185,23 @@ void add_generate_command(CLI::App& app, Outcome& outcome) {
                    "so many results, of this seed and those after it, as FILE-SEED")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000}));
   command->add_option("--holes", options->holes, "holes of a polygon, like --set holes=NUMBER");
-  command->add_option("--set", options->parameters, "a parameter of the family, NAME=VALUE")
-      ->allow_extra_args(false);
+  CLI::Option* output =
+      command
+          ->add_option("-o,--output", options->output,
+                       "where to write; the extension is the format, - is standard output")
+          ->capture_default_str();
+  CLI::Option* gallery =
+      command
+          ->add_option("--gallery", options->gallery,
+                       "a sheet with a polygon of each family instead; .svg, .pdf or .png")
+          ->excludes(family);
   command
-      ->add_option("-o,--output", options->output,
-                   "where to write; the extension is the format, - is standard output")
-      ->capture_default_str();
-  command
-      ->add_option("--gallery", options->gallery,
-                   "a sheet with a polygon of each family instead; .svg, .pdf or .png")
-      ->excludes(family);
+      ->add_option("--statistics", options->statistics,
+                   "instead: angles, features and edges of --count polygons of each family, or of "
+                   "FAMILY; .md, .json, or - for standard output")
+      ->excludes(gallery)
+      ->excludes(output)
+      ->excludes(parameters);
   command->callback([options, &outcome] { outcome.status = generate(*options); });
 }
 

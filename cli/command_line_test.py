@@ -271,6 +271,22 @@ class Generating(CommandLineTest):
         for family in self.families():
             self.assertIn(f">{family}<", text)
 
+    def test_statistics_of_all_families_or_one(self):
+        self.run_it("generate", "--statistics", "s.md", "--n", 24, "--count", 3)
+        text = (self.folder / "s.md").read_text()
+        for family in self.families():
+            self.assertIn(f"| {family} | 3 | 0 |", text)
+        self.assertIn("Not covered by any of them: ", text)
+        self.run_it("generate", "koch", "--statistics", "s.json", "--n", 12, "--count", 2)
+        koch, total = json.loads((self.folder / "s.json").read_text())["families"]
+        self.assertEqual((koch["name"], koch["polygons"], koch["vertices"]), ("koch", 2, 24))
+        self.assertEqual(sum(koch["angles"]) + koch["straight"], 24)
+        self.assertEqual(total["feature_size"], koch["feature_size"])
+        self.assertIn("# What", self.run_it("generate", "star", "--statistics", "-").stdout_text)
+        self.assertIn(".md", self.one_line("generate", "--statistics", "s.csv"))
+        self.one_line("generate", "nothing", "--statistics", "-")
+        self.one_line("generate", "star", "--statistics", "-", "--set", "low=40")
+
     def test_what_cannot_be_made_is_refused(self):
         self.assertIn("FAMILY", self.one_line("generate"))
         self.assertIn(".svg", self.one_line("generate", "--gallery", "g.jpg"))

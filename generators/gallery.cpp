@@ -23,7 +23,8 @@ constexpr Colour kInside{216, 228, 240};
 constexpr Colour kLine{20, 40, 80};
 
 /// What shows a family best; others are drawn with 60 vertices and 3 holes.
-constexpr std::array<std::string_view, 20> kExamples{"star:n=30,seed=4,holes=3",
+constexpr std::array<std::string_view, 21> kExamples{"glyph:n=48,seed=1,character=38,font=4",
+                                                     "star:n=30,seed=4,holes=3",
                                                      "regular:n=9,seed=1,holes=3",
                                                      "gear:n=48,seed=1,holes=3",
                                                      "annulus:n=14,seed=3",

@@ -100,6 +100,7 @@ LatticePolygon make_collinear(PolygonMaker& maker);
 LatticePolygon make_slopes(PolygonMaker& maker);
 LatticePolygon make_coast(PolygonMaker& maker);
 LatticePolygon make_koch(PolygonMaker& maker);
+LatticePolygon make_glyph(PolygonMaker& maker);
 
 /// Auer and Held, Heuristics for the Generation of Random Polygons, CCCG 1996, pp. 38-43: 2-opt
 /// Moves (which is also what CGAL's random_polygon_2 does), Space Partitioning and Steady Growth.

@@ -166,6 +166,14 @@ std::vector<Family> hole_families() {
          {"spread", 4, 3, 9, "a cluster is 2^(1-spread) wide"}},
         {6, kMillion}},
        make_clusters},
+      {{"glyph",
+        "the outline of a letter of DejaVu 2.37; at least as many vertices as it has",
+        {{"holes", 0, 0, 0, "those of the letter"},
+         {"character", 0, 0, 0xFFFF, "its number in Unicode; 0: one by the seed"},
+         {"font", 0, 0, 5, "Sans, Sans Bold, Mono, Mono Bold, Serif, Serif Bold"},
+         {"pieces", 4, 1, 16, "vertices of a hole on each of its curves"}},
+        {4, 100'000}},
+       make_glyph},
   };
 }
 
@@ -215,8 +223,11 @@ Polygon generate_polygon(const PolygonRecipe& recipe) {
   try {
     return normalised(std::move(polygon));
   } catch (const InputError& error) {
-    // Extreme parameters can ask for more than the lattice resolves.
-    throw RecipeError(fmt::format("{}; multiples of 2^-20 are too coarse", error.what()));
+    // Extreme parameters can ask for more than the lattice resolves; a font can have anything.
+    throw RecipeError(fmt::format("{}; {}", error.what(),
+                                  full.family == "glyph"
+                                      ? "the outlines meet, or are divided too finely"
+                                      : "multiples of 2^-20 are too coarse"));
   }
 }
 
