@@ -11,6 +11,8 @@
 // symmetric cases of the figures are handled. With A on the left of the direction of travel, all
 // quads below are listed counter-clockwise; with A on the right, they are reversed.
 //
+// In a tree with holes (see Window) what reaches into a hole is left out.
+//
 // Figures 5, 6 and 8 were rebuilt from the text of the paper; paper/theorem-1.md draws them.
 
 #include <array>
@@ -57,7 +59,7 @@ class TemplateWalk {
     std::array<CellRef, 4> ch{};
     for (const Quadrant q : kQuadrants) {
       ch[q] = tree_.child(node, q, child_level);
-      if (!ch[q].is_leaf()) apply_template(ch[q].ref, child_level);
+      if (!ch[q].is_leaf() && !ch[q].is_hole()) apply_template(ch[q].ref, child_level);
     }
     const Template which = which_template(tree_.children(node));
     visitor_.on_template(which);
@@ -85,6 +87,7 @@ class TemplateWalk {
     for (const Quadrant q : kQuadrants) {
       const bool inner = ch[q].is_leaf();  // T1, T2b: every leaf child has its inner extra
       const CellRef leaf = corner_leaf(ch[q], opposite(q));
+      if (leaf.is_hole()) return;
       corner[q] = inner ? visitor_.inner(leaf) : corner_point(leaf, opposite(q));
       level = std::max(level, leaf.level);
     }
@@ -97,6 +100,7 @@ class TemplateWalk {
     Quadrant m = kNorthEast;
     while (ch[m].is_leaf()) m = turned(m, 1);
     const CellRef& split = ch[m];
+    if (split.is_hole()) return;
     const VertexId a = visitor_.centre(ch[turned(m, 1)]);
     const VertexId d = visitor_.centre(ch[turned(m, 2)]);
     const VertexId b = visitor_.centre(ch[turned(m, 3)]);
@@ -140,6 +144,7 @@ class TemplateWalk {
   // --- Figures 4, 5 and 6: stitchChains ---------------------------------------------------------
 
   void stitch(const Side& a, const Side& b) {
+    if (a.cell.is_hole() || b.cell.is_hole()) return;
     if (a.cell.is_leaf() && b.cell.is_leaf()) return stitch_one_one(a, b);
     if (a.cell.is_leaf()) return stitch_one_two(a, b);
     if (b.cell.is_leaf()) return stitch_one_two(b, a);
@@ -163,6 +168,7 @@ class TemplateWalk {
     const CellRef la2 = corner_leaf(a2.cell, a.outer);
     const CellRef lb1 = corner_leaf(b1.cell, b.inner);
     const CellRef lb2 = corner_leaf(b2.cell, b.outer);
+    if (la1.is_hole() || la2.is_hole() || lb1.is_hole() || lb2.is_hole()) return;
     const std::uint8_t level =
         std::max(std::max(la1.level, la2.level), std::max(lb1.level, lb2.level));
     quad(Construction::kMiddle, level, a, corner_point(la1, a.inner), corner_point(lb1, b.inner),
@@ -234,6 +240,7 @@ class TemplateWalk {
   /// Leaves c (outer) and d (inner) without extras on their side against A (across from c) and B
   /// (across from d), which are stitched to each other already.
   void two_leaf_case(const Side& c, const Side& d, const Side& a, const Side& b) {
+    if (a.cell.is_hole() || b.cell.is_hole()) return;
     const Half ha = half(a, a.outer, a.inner);
     const Half hb = half(b, b.inner, b.outer);
     // Cases are listed with the leaf, or else the half with more extras, at A: rank L < 4 < 2.
@@ -337,8 +344,9 @@ class TemplateWalk {
   // --- corner points
   // ------------------------------------------------------------------------------
 
+  /// Or the hole that it is in.
   CellRef corner_leaf(CellRef cell, Quadrant corner) const {
-    while (!cell.is_leaf()) cell = tree_.child(cell, corner);
+    while (!cell.is_leaf() && !cell.is_hole()) cell = tree_.child(cell, corner);
     return cell;
   }
 

@@ -8,7 +8,24 @@
 #include "algo/edge_cells.hpp"
 
 namespace quadbound {
-CutQuads::CutQuads(const Domain& domain, const TreeMesh& tree_mesh)
+namespace {
+
+/// Calls visit(leaf, its place in KnownCentres) for the leaves in the window.
+template <class Visit>
+void for_leaves(const TreeMesh& tree_mesh, const Visit& visit) {
+  const Quadtree& tree = tree_mesh.tree();
+  for (BlockId block = 0; block < tree.blocks().size(); ++block) {
+    if (!tree_mesh.window().has(block)) continue;
+    for (const Quadrant q : kQuadrants)
+      if (tree.is_leaf({block, q})) visit(Cell{block, q}, 4 * std::size_t{block} + q);
+  }
+}
+
+constexpr Where side_of(bool inside) { return inside ? Where::kInside : Where::kOutside; }
+
+}  // namespace
+
+CutQuads::CutQuads(const Domain& domain, const TreeMesh& tree_mesh, KnownCentres& known)
     : domain_(domain),
       tree_mesh_(tree_mesh),
       is_cut_(tree_mesh.mesh().quads.size()),
@@ -16,18 +33,26 @@ CutQuads::CutQuads(const Domain& domain, const TreeMesh& tree_mesh)
       odd_sides_(tree_mesh.mesh().quads.size()) {
   find_candidates();
   for (EdgeId site = 0; site < domain_.size(); ++site)
-    where_[tree_mesh_.vertex_of(site)] = Where::kBoundary;
+    if (tree_mesh_.vertex_of(site) != kNoVertex)
+      where_[tree_mesh_.vertex_of(site)] = Where::kBoundary;
   for (const std::uint64_t pair : candidates_)
     judge(static_cast<QuadId>(pair >> 32), static_cast<EdgeId>(pair));
   candidates_ = {};
-  flood();
+  find_sides(known);
+  update(known);
   collect_above();
+}
+
+void CutQuads::update(KnownCentres& known) const {
+  known.resize(4 * tree_mesh_.tree().blocks().size(), Where::kUnknown);
+  for_leaves(tree_mesh_,
+             [&](Cell leaf, std::size_t place) { known[place] = where_[tree_mesh_.centre(leaf)]; });
 }
 
 void CutQuads::find_candidates() {
   last_edge_.assign(is_cut_.size(), 0xFFFF'FFFFU);
   for_leaves_with_edges(
-      domain_, tree_mesh_.tree(),
+      domain_, tree_mesh_.tree(), tree_mesh_.window(), edges_of(domain_),
       [this](Cell leaf, std::span<const EdgeId> edges) { add_candidates(leaf, edges); });
   last_edge_ = {};
   std::sort(candidates_.begin(), candidates_.end());
@@ -93,39 +118,48 @@ void CutQuads::judge(QuadId quad, EdgeId edge) {
   cuts_.push_back({quad, edge, from / square, to / square});
 }
 
-void CutQuads::flood() {
-  // The lower left leaf of the tree lies outside the domain by place_root.
-  const Quadtree& tree = tree_mesh_.tree();
-  const VertexId outermost = tree_mesh_.centre(tree.leaf_at(tree.root().corner));
-  where_[outermost] = Where::kOutside;
-  flood_from(outermost);
-  // Edges that run through vertices all along cut the rest off.
+/// Two ends of a side of a quad lie on the same side of the boundary exactly if an even number of
+/// edges crosses it; so one vertex that is known tells all that it is joined to.
+void CutQuads::find_sides(const KnownCentres& known) {
+  SideSets sets(where_.size());
+  const std::vector<Quad>& quads = tree_mesh_.mesh().quads;
+  for (QuadId quad = 0; quad < quads.size(); ++quad) {
+    const Quad& q = quads[quad];
+    for (unsigned k = 0; k < 4; ++k) {
+      const VertexId next = q[(k + 1) & 3U];
+      if (where_[q[k]] == Where::kUnknown && where_[next] == Where::kUnknown)
+        sets.join(q[k], next, (odd_sides_[quad] >> k & 1U) != 0);
+    }
+  }
+  std::vector<Where> of_set(where_.size(), Where::kUnknown);
+  settle_known(known, sets, of_set);
   for (VertexId v = 0; v < where_.size(); ++v) {
-    if (where_[v] != Where::kUnknown) continue;
-    where_[v] = is_inside(tree_mesh_.at(v)) ? Where::kInside : Where::kOutside;
-    flood_from(v);
+    if (where_[v] == Where::kBoundary) continue;
+    const SideSets::Place place = sets.find(v);
+    // Edges that run through vertices all along cut some off.
+    if (of_set[place.set] == Where::kUnknown)
+      of_set[place.set] = side_of(is_inside(tree_mesh_.at(v)) != place.other_side);
+    where_[v] = side_of((of_set[place.set] == Where::kInside) != place.other_side);
   }
 }
 
-void CutQuads::flood_from(VertexId vertex) {
-  std::vector<VertexId> pending{vertex};
-  const auto reach = [&](VertexId there, bool inside) {
-    if (where_[there] != Where::kUnknown) return;
-    where_[there] = inside ? Where::kInside : Where::kOutside;
-    pending.push_back(there);
+/// Leaves that were split since have no place in the tree; new ones are not known yet.
+void CutQuads::settle_known(const KnownCentres& known, SideSets& sets,
+                            std::vector<Where>& of_set) const {
+  const auto settle = [&](VertexId centre, Where where) {
+    if (where_[centre] != Where::kUnknown) return;
+    const SideSets::Place place = sets.find(centre);
+    of_set[place.set] = side_of((where == Where::kInside) != place.other_side);
   };
-  while (!pending.empty()) {
-    const VertexId at = pending.back();
-    pending.pop_back();
-    const bool inside = where_[at] == Where::kInside;
-    for (const QuadId quad : tree_mesh_.quads_at(at)) {
-      const Quad& q = tree_mesh_.mesh().quads[quad];
-      const auto k = static_cast<unsigned>(std::find(q.begin(), q.end(), at) - q.begin());
-      const unsigned before = (k + 3) & 3U;
-      reach(q[(k + 1) & 3U], inside != ((odd_sides_[quad] >> k & 1U) != 0));
-      reach(q[before], inside != ((odd_sides_[quad] >> before & 1U) != 0));
-    }
+  if (tree_mesh_.window().is_whole()) {
+    // The lower left leaf of the tree lies outside the domain by place_root.
+    const Quadtree& tree = tree_mesh_.tree();
+    return settle(tree_mesh_.centre(tree.leaf_at(tree.root().corner)), Where::kOutside);
   }
+  for_leaves(tree_mesh_, [&](Cell leaf, std::size_t place) {
+    if (place < known.size() && (known[place] == Where::kInside || known[place] == Where::kOutside))
+      settle(tree_mesh_.centre(leaf), known[place]);
+  });
 }
 
 /// Even-odd rule along the ray to the left. Requires: on no edge.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "algo/domain.hpp"
+#include "algo/side_sets.hpp"
 #include "algo/tree_mesh.hpp"
 
 namespace quadbound {
@@ -29,14 +30,18 @@ struct Above {
   friend auto operator<=>(const Above&, const Above&) = default;
 };
 
+/// Whether the centres of leaves lie inside, as far as that was found out, by 4 * block + quadrant.
+using KnownCentres = std::vector<Where>;
+
 /// Guarantees: 1. cuts are sorted by quad, then edge. 2. where(v) is exact: kInside strictly inside
 /// the domain, kBoundary on an edge or a vertex of it. 3. above(v) are the edges of the paper's
 /// F(v), ascending, for vertices inside.
 /// Complexity: linear in the leaves that edges meet and in the quads; n for each part of the mesh
-/// that edges through mesh vertices cut off from the rest.
+/// that edges through mesh vertices, or holes, cut off from the rest and in which nothing is known.
 class CutQuads {
  public:
-  CutQuads(const Domain& domain, const TreeMesh& tree_mesh);
+  /// `known` saves work in a window, and is brought up to date.
+  CutQuads(const Domain& domain, const TreeMesh& tree_mesh, KnownCentres& known);
 
   [[nodiscard]] const std::vector<Cut>& cuts() const { return cuts_; }
   [[nodiscard]] bool is_cut(QuadId quad) const { return is_cut_[quad]; }
@@ -49,8 +54,9 @@ class CutQuads {
   void find_candidates();
   void add_candidates(Cell leaf, std::span<const EdgeId> edges);
   void judge(QuadId quad, EdgeId edge);
-  void flood();
-  void flood_from(VertexId vertex);
+  void find_sides(const KnownCentres& known);
+  void settle_known(const KnownCentres& known, SideSets& sets, std::vector<Where>& of_set) const;
+  void update(KnownCentres& known) const;
   [[nodiscard]] bool is_inside(LatticePoint point) const;
   void collect_above();
 

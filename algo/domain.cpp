@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace quadbound {
 namespace {
@@ -40,6 +41,15 @@ FloorDivision floor_division(Int128 numerator, std::int64_t denominator) {
   }
   return {static_cast<std::int64_t>(quotient),
           static_cast<double>(remainder) / static_cast<double>(denominator)};
+}
+
+/// numerator / denominator * 2^exponent.
+Rational scaled_ratio(Int128 numerator, std::int64_t denominator, int exponent) {
+  boost::multiprecision::mpz_int above(static_cast<std::int64_t>(numerator >> 64));
+  above = (above << 64) + static_cast<std::uint64_t>(numerator);
+  boost::multiprecision::mpz_int below(denominator);
+  (exponent < 0 ? below : above) <<= static_cast<unsigned>(std::abs(exponent));
+  return {above, below};
 }
 
 }  // namespace
@@ -97,12 +107,14 @@ int Domain::side(EdgeId e, EdgeId vertex) const {
 }
 
 double Domain::height(EdgeId e, LatticePoint point) const {
-  const Vector d = direction(e);
-  if (on_lattice_edge(e))
-    return static_cast<double>(cross_of(floor(e), floor(next_[e]), point)) / length(d);
-  const RationalPoint a = in_units(e);
-  const Rational c = cross_of(a, in_units(next_[e]), {Rational(point.x), Rational(point.y)});
-  return nearest_double(c) / length(d);
+  // The cross product of the floors is exact; what the fractions add is no larger than the edge.
+  const FinePoint& a = fine_[e];
+  const FinePoint& b = fine_[next_[e]];
+  const Vector whole = on_lattice(b.floor) - on_lattice(a.floor);
+  const Vector rest = b.fraction - a.fraction;
+  const Vector to = on_lattice(point) - on_lattice(a.floor);
+  const double added = cross(rest, to - a.fraction) - cross(whole, a.fraction);
+  return (static_cast<double>(cross_of(a.floor, b.floor, point)) + added) / length(whole + rest);
 }
 
 bool Domain::is_acute(EdgeId vertex) const {
@@ -139,21 +151,48 @@ bool Domain::on_edge(EdgeId e, std::int64_t foot) const {
 
 FinePoint Domain::foot_point(EdgeId e, std::int64_t foot) const {
   const bool x = runs_in_x_[e];
-  FloorDivision other{};
-  if (on_lattice_edge(e)) {
-    const LatticePoint a = floor(e);
-    const LatticePoint b = floor(next_[e]);
-    other = x ? floor_division(Int128{foot - a.x} * (b.y - a.y), b.x - a.x)
-              : floor_division(Int128{foot - a.y} * (b.x - a.x), b.y - a.y);
-    other.quotient += x ? a.y : a.x;
-  } else {
-    const RationalPoint exact = foot_exact(e, foot);
-    const Rational value = (x ? exact.y : exact.x) / dyadic(1, root_.exponent);
-    other.quotient = lattice_floor(value, 0)->floor;
-    other.fraction = nearest_double(value - Rational(other.quotient));
+  const FinePoint& a = fine_[e];
+  const FinePoint& b = fine_[next_[e]];
+  // Along the edge and across: whole units, then the fractions.
+  const std::int64_t along = x ? b.floor.x - a.floor.x : b.floor.y - a.floor.y;
+  const std::int64_t across = x ? b.floor.y - a.floor.y : b.floor.x - a.floor.x;
+  const std::int64_t from = foot - (x ? a.floor.x : a.floor.y);
+  FloorDivision other = floor_division(Int128{from} * across, along);
+  other.quotient += x ? a.floor.y : a.floor.x;
+  if (!on_lattice_edge(e)) {
+    const Vector rest = b.fraction - a.fraction;
+    const double slope = static_cast<double>(across) / static_cast<double>(along);
+    const double rest_along = x ? rest.x : rest.y;
+    const double rest_across = x ? rest.y : rest.x;
+    const double start_along = x ? a.fraction.x : a.fraction.y;
+    const double start_across = x ? a.fraction.y : a.fraction.x;
+    // (from - start)(across + rest across) / (along + rest along), less from across / along:
+    const double added = (static_cast<double>(from) * (rest_across - slope * rest_along) -
+                          start_along * (static_cast<double>(across) + rest_across)) /
+                         (static_cast<double>(along) + rest_along);
+    const double fraction = other.fraction + start_across + added;
+    const double whole = std::floor(fraction);
+    other = {other.quotient + static_cast<std::int64_t>(whole), fraction - whole};
   }
   return x ? FinePoint{{foot, other.quotient}, {0, other.fraction}}
            : FinePoint{{other.quotient, foot}, {other.fraction, 0}};
+}
+
+VertexId Domain::add_foot(Vertices& vertices, EdgeId e, std::int64_t foot) const {
+  if (!on_lattice_edge(e)) return vertices.add_exact(foot_exact(e, foot));
+  const bool x = runs_in_x_[e];
+  const LatticePoint a = floor(e);
+  const LatticePoint b = floor(next_[e]);
+  const std::int64_t along = x ? b.x - a.x : b.y - a.y;
+  const Int128 rise = Int128{foot - (x ? a.x : a.y)} * (x ? b.y - a.y : b.x - a.x);
+  const std::int64_t start = x ? a.y : a.x;
+  if (rise % along == 0) {
+    const std::int64_t other = start + static_cast<std::int64_t>(rise / along);
+    return vertices.add(x ? LatticePoint{foot, other} : LatticePoint{other, foot});
+  }
+  const Rational here = dyadic(foot, root_.exponent);
+  const Rational other = scaled_ratio(Int128{start} * along + rise, along, root_.exponent);
+  return vertices.add_off_lattice(x ? RationalPoint{here, other} : RationalPoint{other, here});
 }
 
 RationalPoint Domain::foot_exact(EdgeId e, std::int64_t foot) const {

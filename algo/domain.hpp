@@ -52,7 +52,7 @@ class Domain {
   /// The same for a vertex of the domain.
   [[nodiscard]] int side(EdgeId e, EdgeId vertex) const;
   /// Height of a lattice point above the line of an edge, in lattice units, with an error of a few
-  /// units of the last place of the height.
+  /// units of the last place of the height, or of a lattice unit where that is more.
   [[nodiscard]] double height(EdgeId e, LatticePoint point) const;
 
   /// The interior angle at a vertex is below 90 degrees, exactly.
@@ -71,9 +71,12 @@ class Domain {
   [[nodiscard]] std::int64_t along(EdgeId e, std::int64_t foot) const {
     return backwards_[e] ? -foot : foot;
   }
+  /// Requires: on_edge(e, foot). With an error of a few units of the last place of a lattice unit.
   [[nodiscard]] FinePoint foot_point(EdgeId e, std::int64_t foot) const;
   /// In the coordinates of the input.
   [[nodiscard]] RationalPoint foot_exact(EdgeId e, std::int64_t foot) const;
+  /// Appends it to vertices, which lie on the lattice of the domain.
+  VertexId add_foot(Vertices& vertices, EdgeId e, std::int64_t foot) const;
 
   std::vector<Kite> kites;  ///< ascending by p
   /// Whether a vertex is the p or q of a kite. Complexity: logarithmic in the kites.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -82,11 +83,42 @@ std::variant<DomainMesh, NeedsKites, NeedsOtherRoot> DomainMesher::run_rounds() 
     counters_.insertion = {};
     std::optional<DomainMesh> made = round();
     if (made) return std::move(*made);
+    if (auto kites = split_and_separate()) return std::move(*kites);
+    if (dead_rounds_ > kDeadRounds && !is_last_root_) return NeedsOtherRoot{};
+  }
+}
+
+/// Splits what a round asked for, and goes on around that until the edges are separated there.
+std::optional<NeedsKites> DomainMesher::split_and_separate() {
+  while (!to_split_.empty()) {
     std::vector<EdgeId> hopeless = lose_patience();
     if (!hopeless.empty()) return NeedsKites{std::move(hopeless)};
-    if (dead_rounds_ > kDeadRounds && !is_last_root_) return NeedsOtherRoot{};
-    separation_.refine(to_split_);
+    const std::optional<Window> window = split();
+    if (!window) return std::nullopt;
+    local_round(*window);
   }
+  return std::nullopt;
+}
+
+/// The window around the splits; nullopt where it is no smaller than half of the tree, which may as
+/// well be looked at as a whole.
+std::optional<Window> DomainMesher::split() {
+  const auto known = static_cast<BlockId>(separation_.tree().blocks().size());
+  separation_.refine(to_split_);
+  to_split_.clear();
+  Window window(separation_.tree(), known);
+  if (2 * window.size() > separation_.tree().blocks().size()) return std::nullopt;
+  return window;
+}
+
+void DomainMesher::local_round(const Window& window) {
+  check_time();
+  ++counters_.local_rounds;
+  Counters uncounted;
+  const TreeMesh tree_mesh(domain_, separation_, uncounted, window);
+  const CutQuads cut_quads(domain_, tree_mesh, known_centres_);
+  if (is_separated(tree_mesh, cut_quads))
+    split_around(tree_mesh, keep_quads(tree_mesh, cut_quads).pinched);
 }
 
 void DomainMesher::repeat_history() {
@@ -98,12 +130,15 @@ void DomainMesher::repeat_history() {
 
 /// Separation as far as the tree alone tells.
 void DomainMesher::separate_cells() {
+  Window window;
   for (;;) {
     check_time();
-    const std::vector<Cell> large = leaves_too_large(domain_, separation_.tree());
+    const std::vector<Cell> large = leaves_too_large(domain_, separation_.tree(), window);
     if (large.empty()) return;
     counters_.separation_splits += large.size();
+    const auto known = static_cast<BlockId>(separation_.tree().blocks().size());
     separation_.refine(large);
+    window = Window(separation_.tree(), known);
   }
 }
 
@@ -112,7 +147,7 @@ std::optional<DomainMesh> DomainMesher::round() {
   check_time();
   TreeMesh tree_mesh(domain_, separation_, counters_.quadtree);
   check_time();
-  const CutQuads cut_quads(domain_, tree_mesh);
+  const CutQuads cut_quads(domain_, tree_mesh, known_centres_);
   if (!is_separated(tree_mesh, cut_quads) || !is_fine_enough(tree_mesh, cut_quads))
     return std::nullopt;
   const KeptQuads kept = keep_quads(tree_mesh, cut_quads);
@@ -141,7 +176,7 @@ bool DomainMesher::is_separated(const TreeMesh& tree_mesh, const CutQuads& cut_q
     if (acute) troubled_.push_back(*acute);
     if (!acute) remember(fault.split);
   }
-  for (const Cell leaf : leaves_along_gaps(domain_, tree_mesh, cut_quads, faults)) {
+  for (const Cell leaf : leaves_along_gaps(domain_, separation_.tree(), faults)) {
     to_split_.push_back(leaf);
     remember(leaf);
   }
@@ -169,21 +204,55 @@ bool DomainMesher::is_fine_enough(const TreeMesh& tree_mesh, const CutQuads& cut
   return to_split_.empty();
 }
 
-/// Where a ring has none, or two, the leaves of its vertices are split.
+/// Where K has no part at a ring, the leaves of its vertices are split. Where it has two, they are
+/// parted by a narrow place where alpha goes over from one edge to another that does not follow it.
 bool DomainMesher::has_one_alpha_for_each_ring(const TreeMesh& tree_mesh, const CutQuads& cut_quads,
                                                const KeptQuads& kept) {
   std::vector<std::size_t> alphas(domain_.ring_count());
+  for (const std::vector<VertexId>& alpha : kept.alphas)
+    if (const auto ring = ring_along(cut_quads, alpha)) ++alphas[*ring];
   for (const std::vector<VertexId>& alpha : kept.alphas) {
-    for (const VertexId v : alpha) {
-      const auto above = cut_quads.above(v);
-      if (above.empty()) continue;
-      ++alphas[domain_.ring(above.front().edge)];
-      break;
-    }
+    const auto ring = ring_along(cut_quads, alpha);
+    if (ring && alphas[*ring] > 1) split_around(tree_mesh, leaps(cut_quads, alpha));
   }
+  if (!to_split_.empty()) return false;
   for (EdgeId site = 0; site < domain_.size(); ++site)
     if (alphas[domain_.ring(site)] != 1) to_split_.push_back(tree_mesh.cell_of(site));
   return to_split_.empty();
+}
+
+std::optional<std::uint32_t> DomainMesher::ring_along(const CutQuads& cut_quads,
+                                                      const std::vector<VertexId>& alpha) const {
+  for (const VertexId v : alpha)
+    if (const auto above = cut_quads.above(v); !above.empty())
+      return domain_.ring(above.front().edge);
+  return std::nullopt;
+}
+
+/// Vertices of alpha that come next to each other, of those above edges, and whose edges do not
+/// follow each other.
+std::vector<VertexId> DomainMesher::leaps(const CutQuads& cut_quads,
+                                          const std::vector<VertexId>& alpha) const {
+  const auto has = [](std::span<const Above> edges, EdgeId e) {
+    return std::any_of(edges.begin(), edges.end(), [e](const Above& a) { return a.edge == e; });
+  };
+  // An edge further on is above both vertices, or follows one that is; none goes back.
+  const auto follow = [&](std::span<const Above> from, std::span<const Above> to) {
+    return std::all_of(to.begin(), to.end(), [&](const Above& there) {
+      return has(from, there.edge) || has(from, domain_.previous(there.edge));
+    });
+  };
+  std::vector<VertexId> chain;
+  std::copy_if(alpha.begin(), alpha.end(), std::back_inserter(chain),
+               [&](VertexId v) { return !cut_quads.above(v).empty(); });
+  std::vector<VertexId> found;
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    const VertexId here = chain[i];
+    const VertexId there = chain[(i + 1) % chain.size()];
+    if (!follow(cut_quads.above(here), cut_quads.above(there)))
+      found.insert(found.end(), {here, there});
+  }
+  return found;
 }
 
 /// Moves the centres beside a dead end back to where they were; whether there were any.

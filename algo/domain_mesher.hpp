@@ -4,6 +4,7 @@
 // that grows until both succeed.
 
 #include <cstdint>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -25,7 +26,8 @@ namespace quadbound {
 struct PolygonCounters {
   Counters quadtree;                    ///< of the last round
   std::uint64_t cells_before = 0;       ///< leaves before edge separation
-  std::uint64_t rounds = 0;             ///< of all attempts
+  std::uint64_t rounds = 0;             ///< in which Q was made, of all attempts
+  std::uint64_t local_rounds = 0;       ///< in which it was made around the last splits only
   std::uint64_t separation_splits = 0;  ///< leaves that edge separation asked to split
   std::uint64_t size_splits = 0;        ///< leaves that were too large for the sizing
   std::uint64_t dead_end_splits = 0;    ///< leaves split where no piece led on
@@ -68,10 +70,17 @@ class DomainMesher {
   std::variant<DomainMesh, NeedsKites, NeedsOtherRoot> run_rounds();
   /// Empty where cells were put on to_split_.
   std::optional<DomainMesh> round();
+  std::optional<NeedsKites> split_and_separate();
+  std::optional<Window> split();
+  void local_round(const Window& window);
   bool is_separated(const TreeMesh& tree_mesh, const CutQuads& cut_quads);
   bool is_fine_enough(const TreeMesh& tree_mesh, const CutQuads& cut_quads);
   bool has_one_alpha_for_each_ring(const TreeMesh& tree_mesh, const CutQuads& cut_quads,
                                    const KeptQuads& kept);
+  [[nodiscard]] std::optional<std::uint32_t> ring_along(const CutQuads& cut_quads,
+                                                        const std::vector<VertexId>& alpha) const;
+  [[nodiscard]] std::vector<VertexId> leaps(const CutQuads& cut_quads,
+                                            const std::vector<VertexId>& alpha) const;
   bool undo_alignment(TreeMesh& tree_mesh, const DeadEnd& dead);
   bool insert(TreeMesh& tree_mesh, const CutQuads& cut_quads, const KeptQuads& kept,
               std::vector<Strip>& strips);
@@ -92,6 +101,7 @@ class DomainMesher {
   std::vector<Split>& history_;
   PolygonCounters& counters_;
   std::vector<Cell> to_split_;
+  KnownCentres known_centres_;
   std::vector<AlignedCentre> aligned_;
   int dead_rounds_ = 0;
   std::vector<EdgeId> troubled_;  ///< acute vertices, this round

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <utility>
 
 namespace quadbound {
 namespace {
@@ -31,17 +32,17 @@ bool may_meet(const Domain& domain, EdgeId edge, LatticePoint corner, int side_b
 
 class Descent {
  public:
-  Descent(const Domain& domain, const Quadtree& tree,
+  Descent(const Domain& domain, const Quadtree& tree, const Window& window,
+          std::vector<EdgeId> edges,
           const std::function<void(Cell, std::span<const EdgeId>)>& visit)
-      : domain_(domain), tree_(tree), visit_(visit), edges_(domain.size()) {
-    std::iota(edges_.begin(), edges_.end(), EdgeId{0});
-  }
+      : domain_(domain), tree_(tree), window_(window), visit_(visit), edges_(std::move(edges)) {}
 
   /// The edges that may meet the block are those from `first` to the top of the stack.
   void descend(BlockId block, std::size_t first) {
     const std::size_t end = edges_.size();
     for (const Quadrant q : kQuadrants) {
       const Cell cell{block, q};
+      if (!tree_.is_leaf(cell) && !window_.has(tree_.content(cell))) continue;
       const LatticePoint corner = tree_.corner(cell);
       for (std::size_t i = first; i < end; ++i)
         if (may_meet(domain_, edges_[i], corner, tree_.side_bits(cell)))
@@ -60,6 +61,7 @@ class Descent {
  private:
   const Domain& domain_;
   const Quadtree& tree_;
+  const Window& window_;
   const std::function<void(Cell, std::span<const EdgeId>)>& visit_;
   std::vector<EdgeId> edges_;  ///< a stack
 };
@@ -128,16 +130,26 @@ bool is_too_large(const Domain& domain, const Quadtree& tree, Cell leaf,
 
 }  // namespace
 
-void for_leaves_with_edges(const Domain& domain, const Quadtree& tree,
+void for_leaves_with_edges(const Domain& domain, const Quadtree& tree, const Window& window,
+                           std::vector<EdgeId> edges,
                            const std::function<void(Cell, std::span<const EdgeId>)>& visit) {
-  Descent(domain, tree, visit).descend(0, 0);
+  Descent(domain, tree, window, std::move(edges), visit).descend(0, 0);
 }
 
-std::vector<Cell> leaves_too_large(const Domain& domain, const Quadtree& tree) {
+std::vector<EdgeId> edges_of(const Domain& domain) {
+  std::vector<EdgeId> edges(domain.size());
+  std::iota(edges.begin(), edges.end(), EdgeId{0});
+  return edges;
+}
+
+std::vector<Cell> leaves_too_large(const Domain& domain, const Quadtree& tree,
+                                   const Window& window) {
   std::vector<Cell> leaves;
-  for_leaves_with_edges(domain, tree, [&](Cell leaf, std::span<const EdgeId> edges) {
-    if (edges.size() > 1 && is_too_large(domain, tree, leaf, edges)) leaves.push_back(leaf);
-  });
+  for_leaves_with_edges(domain, tree, window, edges_of(domain),
+                        [&](Cell leaf, std::span<const EdgeId> edges) {
+                          if (edges.size() > 1 && is_too_large(domain, tree, leaf, edges))
+                            leaves.push_back(leaf);
+                        });
   return leaves;
 }
 

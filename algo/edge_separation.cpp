@@ -7,6 +7,8 @@
 #include <tuple>
 #include <utility>
 
+#include "algo/edge_cells.hpp"
+
 namespace quadbound {
 namespace {
 
@@ -31,7 +33,8 @@ class FaultFinder {
     for (std::size_t first = 0; first < cuts.size();) {
       std::size_t end = first + 1;
       while (end < cuts.size() && cuts[end].quad == cuts[first].quad) ++end;
-      if (end - first > 1) check_quad({cuts.data() + first, end - first});
+      if (end - first > 1 && in_core(cuts[first].quad))
+        check_quad({cuts.data() + first, end - first});
       first = end;
     }
   }
@@ -72,7 +75,8 @@ class FaultFinder {
     for (std::size_t first = 0; first < all.size();) {
       std::size_t end = first + 1;
       while (end < all.size() && all[end].vertex == all[first].vertex) ++end;
-      check_vertex({all.data() + first, end - first});
+      if (in_core(tree_mesh_.leaf_of(all[first].vertex)))
+        check_vertex({all.data() + first, end - first});
       first = end;
     }
   }
@@ -97,6 +101,17 @@ class FaultFinder {
     });
     if (!in_some_grid && edges.size() > 1) pair = {edges.front().edge, edges.back().edge};
     return pair;
+  }
+
+  // --- the window
+  // ---------------------------------------------------------------------------------
+
+  [[nodiscard]] bool in_core(Cell leaf) const { return tree_mesh_.window().is_core(leaf); }
+  [[nodiscard]] bool in_core(QuadId quad) const {
+    if (tree_mesh_.window().is_whole()) return true;
+    const Quad& q = tree_mesh_.mesh().quads[quad];
+    return std::any_of(q.begin(), q.end(),
+                       [this](VertexId v) { return in_core(tree_mesh_.leaf_of(v)); });
   }
 
   // --- 5x5 grids ---------------------------------------------------------------------------------
@@ -174,6 +189,19 @@ std::vector<Gap> gaps_of(const Domain& domain, const Quadtree& tree,
   return gaps;
 }
 
+bool is_in_gap(const Domain& domain, const Quadtree& tree, const std::vector<Gap>& gaps, Cell leaf,
+               std::span<const EdgeId> edges) {
+  for (const EdgeId edge : edges) {
+    const auto before = [](const Gap& gap, EdgeId e) { return gap.edge < e; };
+    auto gap = std::lower_bound(gaps.begin(), gaps.end(), edge, before);
+    for (; gap != gaps.end() && gap->edge == edge; ++gap)
+      if (tree.side_bits(leaf) >= gap->side_bits &&
+          width_at(domain, tree, leaf, gap->edge, gap->other) <= gap->width)
+        return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::vector<SeparationFault> separation_faults(const Domain& domain, const TreeMesh& tree_mesh,
@@ -181,27 +209,16 @@ std::vector<SeparationFault> separation_faults(const Domain& domain, const TreeM
   return FaultFinder(domain, tree_mesh, cut_quads).run();
 }
 
-std::vector<Cell> leaves_along_gaps(const Domain& domain, const TreeMesh& tree_mesh,
-                                    const CutQuads& cut_quads,
+std::vector<Cell> leaves_along_gaps(const Domain& domain, const Quadtree& tree,
                                     const std::vector<SeparationFault>& faults) {
-  const Quadtree& tree = tree_mesh.tree();
   const std::vector<Gap> gaps = gaps_of(domain, tree, faults);
+  std::vector<EdgeId> edges;
+  for (const Gap& gap : gaps)
+    if (edges.empty() || edges.back() != gap.edge) edges.push_back(gap.edge);
   std::vector<Cell> leaves;
-  for (const Cut& cut : cut_quads.cuts()) {
-    const auto before = [](const Gap& gap, EdgeId edge) { return gap.edge < edge; };
-    auto gap = std::lower_bound(gaps.begin(), gaps.end(), cut.edge, before);
-    for (; gap != gaps.end() && gap->edge == cut.edge; ++gap) {
-      for (const VertexId v : tree_mesh.mesh().quads[cut.quad]) {
-        if (domain.side(gap->edge, tree_mesh.at(v)) < 0 &&
-            domain.side(gap->other, tree_mesh.at(v)) < 0)
-          continue;
-        const Cell leaf = tree_mesh.leaf_of(v);
-        if (tree.side_bits(leaf) >= gap->side_bits &&
-            width_at(domain, tree, leaf, gap->edge, gap->other) <= gap->width)
-          leaves.push_back(leaf);
-      }
-    }
-  }
+  for_leaves_with_edges(domain, tree, {}, edges, [&](Cell leaf, std::span<const EdgeId> met) {
+    if (is_in_gap(domain, tree, gaps, leaf, met)) leaves.push_back(leaf);
+  });
   return leaves;
 }
 

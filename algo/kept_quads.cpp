@@ -47,8 +47,10 @@ KeptQuads keep_quads(const TreeMesh& tree_mesh, const CutQuads& cut_quads) {
   }
   std::sort(edges.begin(), edges.end());
   for (std::size_t i = 1; i < edges.size(); ++i)
-    if (edges[i].first == edges[i - 1].first) result.pinched.push_back(edges[i].first);
-  if (!result.pinched.empty()) return result;
+    if (edges[i].first == edges[i - 1].first &&
+        tree_mesh.window().is_core(tree_mesh.leaf_of(edges[i].first)))
+      result.pinched.push_back(edges[i].first);
+  if (!result.pinched.empty() || !tree_mesh.window().is_whole()) return result;
 
   std::vector<bool> done(edges.size());
   for (std::size_t first = 0; first < edges.size(); ++first) {

@@ -20,8 +20,8 @@ struct KeptQuads {
   std::vector<VertexId> pinched;
 };
 
-/// K: the quads that no edge cuts and whose vertices all lie strictly inside the domain.
-/// Complexity: linear.
+/// K: the quads that no edge cuts and whose vertices all lie strictly inside the domain. In a
+/// window there are no chains, and pinched are those in its core. Complexity: linear.
 KeptQuads keep_quads(const TreeMesh& tree_mesh, const CutQuads& cut_quads);
 
 }  // namespace quadbound

@@ -172,6 +172,8 @@ TEST(Domain, FeetAreExactlyOnTheirEdgeAndNearestToThePoint) {
         const RationalPoint exact = domain.foot_exact(e, foot);
         const RationalPoint units{exact.x / unit, exact.y / unit};
         EXPECT_EQ(cross_of(a, b, units), 0);
+        Vertices vertices(domain.root().exponent);
+        EXPECT_EQ(vertices.exact(domain.add_foot(vertices, e, foot)), exact);
         EXPECT_EQ(x ? units.x : units.y, Rational(foot));
         const Rational along = ((units.x - a.x) * dx + (units.y - a.y) * dy) / square;
         EXPECT_TRUE(0 < along && along < 1);
@@ -279,13 +281,14 @@ class Stage {
   }
   void remake() {
     tree_mesh_ = std::make_unique<TreeMesh>(domain_, separation_, counters_);
-    cut_quads_ = std::make_unique<CutQuads>(domain_, *tree_mesh_);
+    cut_quads_ = std::make_unique<CutQuads>(domain_, *tree_mesh_, known_);
   }
 
   Domain domain_;
   Separation separation_;
   Counters counters_;
   std::unique_ptr<TreeMesh> tree_mesh_;
+  KnownCentres known_;
   std::unique_ptr<CutQuads> cut_quads_;
 };
 
@@ -429,7 +432,8 @@ TEST(CutQuads, EdgesAlongSidesAndThroughVerticesOfQuads) {
   separation.refine_five_by_five();
   Counters counters;
   const TreeMesh tree_mesh(domain, separation, counters);
-  const CutQuads cut_quads(domain, tree_mesh);
+  KnownCentres known;
+  const CutQuads cut_quads(domain, tree_mesh, known);
   std::uint64_t inside = 0;
   for (VertexId v = 0; v < tree_mesh.mesh().vertices.size(); ++v) {
     const LatticePoint at = tree_mesh.at(v);

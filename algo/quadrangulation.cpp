@@ -45,10 +45,10 @@ class FatePlanner {
 /// The outer extras at the four corners of the root lie on no chain that is ever stitched.
 void drop_root_corners(TemplateTree& tree, Counters& counters) {
   for (const Quadrant q : kQuadrants) {
-    NodeId node = 0;
-    while ((tree.children(node)[q] & Quadtree::kLeaf) == 0) node = tree.children(node)[q];
-    if (tree.is_t4(node)) continue;
-    tree.set_fate(node, q, ExtraFate::kDropped);
+    CellRef corner = tree.child(0, q, 1);
+    while (!corner.is_leaf() && !corner.is_hole()) corner = tree.child(corner, q);
+    if (corner.is_hole() || tree.is_t4(corner.parent)) continue;
+    tree.set_fate(corner.parent, q, ExtraFate::kDropped);
     ++counters.extras_dropped;
   }
 }
@@ -71,9 +71,10 @@ class VertexNumbering {
     for (const Quadrant q : kQuadrants) {
       const LatticePoint low{corner.x + (is_east(q) ? side : 0),
                              corner.y + (is_north(q) ? side : 0)};
-      const std::uint32_t child = tree_.children(node)[q];
-      if ((child & Quadtree::kLeaf) == 0) {
-        visit(child, low, level + 1);
+      const CellRef child = tree_.child(node, q, static_cast<std::uint8_t>(level + 1));
+      if (child.is_hole()) continue;
+      if (!child.is_leaf()) {
+        visit(child.ref, low, level + 1);
       } else {
         ++counters_.leaves_by_level[static_cast<std::size_t>(level) + 1];
         number_leaf(node, q, which, {low.x + side / 2, low.y + side / 2}, side);

@@ -21,6 +21,7 @@ class Assembly {
 
   DomainMesh run(const std::vector<Strip>& strips) {
     number_kept_vertices();
+    reserve(strips);
     add_kept_quads();
     for (EdgeId site = 0; site < domain_.size(); ++site)
       made_.vertex_of.push_back(made_.mesh.vertices.add_exact(domain_.vertices().exact(site)));
@@ -38,6 +39,15 @@ class Assembly {
         for (const VertexId v : q.quads[quad]) number_[v] = 0;
     for (VertexId v = 0; v < number_.size(); ++v)
       if (number_[v] == 0) number_[v] = made_.mesh.vertices.add(tree_mesh_.at(v));
+  }
+
+  void reserve(const std::vector<Strip>& strips) {
+    auto quads =
+        static_cast<std::size_t>(std::count(kept_.is_kept.begin(), kept_.is_kept.end(), true));
+    for (const Strip& strip : strips) quads += strip.quads.size();
+    made_.mesh.quads.reserve(quads);
+    made_.mesh.construction.reserve(quads);
+    made_.mesh.level.reserve(quads);
   }
 
   void add_kept_quads() {
@@ -65,18 +75,19 @@ class Assembly {
     std::sort(feet_.begin(), feet_.end());
     feet_.erase(std::unique(feet_.begin(), feet_.end()), feet_.end());
     made_.steiner.resize(domain_.size());
-    for (const auto& [edge, along] : feet_) {
-      const VertexId v =
-          made_.mesh.vertices.add_exact(domain_.foot_exact(edge, domain_.along(edge, along)));
-      made_.steiner[edge].push_back(v);
-      foot_vertices_.push_back(v);
-    }
+    first_foot_ = static_cast<VertexId>(made_.mesh.vertices.size());
+    for (const auto& [edge, along] : feet_)
+      made_.steiner[edge].push_back(
+          domain_.add_foot(made_.mesh.vertices, edge, domain_.along(edge, along)));
   }
 
   [[nodiscard]] VertexId foot_vertex(const StripVertex& v) const {
-    const auto at =
-        std::lower_bound(feet_.begin(), feet_.end(), std::pair{v.id, domain_.along(v.id, v.foot)});
-    return foot_vertices_[static_cast<std::size_t>(at - feet_.begin())];
+    // The feet of an edge follow each other.
+    const std::vector<VertexId>& of_edge = made_.steiner[v.id];
+    const auto first = feet_.begin() + (of_edge.front() - first_foot_);
+    const auto at = std::lower_bound(first, first + static_cast<std::ptrdiff_t>(of_edge.size()),
+                                     std::pair{v.id, domain_.along(v.id, v.foot)});
+    return first_foot_ + static_cast<VertexId>(at - feet_.begin());
   }
 
   void add_strip(const Strip& strip) {
@@ -120,7 +131,7 @@ class Assembly {
   DomainMesh made_;
   std::vector<VertexId> number_;                       ///< of a vertex of Q in the mesh
   std::vector<std::pair<EdgeId, std::int64_t>> feet_;  ///< edge, place along it
-  std::vector<VertexId> foot_vertices_;
+  VertexId first_foot_ = 0;  ///< the vertices of feet_ are this one and those after it
 };
 
 }  // namespace

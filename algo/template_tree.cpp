@@ -3,20 +3,23 @@
 
 namespace quadbound {
 
-TemplateTree::TemplateTree(const Quadtree& tree) : node_of_block_(tree.blocks().size()) {
-  children_.reserve(tree.blocks().size());
-  fates_.assign(tree.blocks().size(), 0);
-  copy(tree, 0);
+TemplateTree::TemplateTree(const Quadtree& tree, const Window& window)
+    : node_of_block_(tree.blocks().size(), kNoNode) {
+  const std::size_t nodes = window.is_whole() ? tree.blocks().size() : window.size();
+  children_.reserve(nodes);
+  fates_.assign(nodes, 0);
+  copy(tree, window, 0);
 }
 
 // The recursion is as deep as the tree, i.e. at most kLatticeBits levels.
-NodeId TemplateTree::copy(const Quadtree& tree, BlockId block) {
+NodeId TemplateTree::copy(const Quadtree& tree, const Window& window, BlockId block) {
   const NodeId node = static_cast<NodeId>(children_.size());
   node_of_block_[block] = node;
   children_.push_back({Quadtree::kLeaf, Quadtree::kLeaf, Quadtree::kLeaf, Quadtree::kLeaf});
   for (const Quadrant q : kQuadrants) {
     if (tree.is_leaf({block, q})) continue;
-    const NodeId child = copy(tree, tree.content({block, q}));
+    const BlockId inner = tree.content({block, q});
+    const NodeId child = window.has(inner) ? copy(tree, window, inner) : CellRef::kHole;
     children_[node][q] = child;
   }
   return node;

@@ -9,6 +9,7 @@
 
 #include "algo/construction.hpp"
 #include "algo/quadtree.hpp"
+#include "algo/window.hpp"
 #include "model/mesh.hpp"
 
 namespace quadbound {
@@ -21,20 +22,26 @@ enum class ExtraFate : std::uint8_t { kKept = 0, kMirroredX = 1, kMirroredY = 2,
 
 /// A node or leaf as seen from its parent.
 struct CellRef {
-  std::uint32_t ref;  ///< NodeId, or Quadtree::kLeaf | centre vertex
+  std::uint32_t ref;  ///< NodeId, kHole, or Quadtree::kLeaf | centre vertex
   NodeId parent;
   Quadrant quadrant;
   std::uint8_t level;
+  /// A node outside the window: nothing below it is known.
+  static constexpr std::uint32_t kHole = Quadtree::kLeaf - 1;
   [[nodiscard]] bool is_leaf() const { return (ref & Quadtree::kLeaf) != 0; }
+  [[nodiscard]] bool is_hole() const { return ref == kHole; }
 };
 
 class TemplateTree {
  public:
-  /// Complexity: linear; 17 bytes per internal node.
-  explicit TemplateTree(const Quadtree& tree);
+  static constexpr NodeId kNoNode = 0xFFFF'FFFFU;
+
+  /// Complexity: linear; 17 bytes per internal node in the window.
+  explicit TemplateTree(const Quadtree& tree, const Window& window = {});
 
   [[nodiscard]] std::size_t size() const { return children_.size(); }
   [[nodiscard]] std::uint64_t leaf_count() const { return 3 * std::uint64_t{children_.size()} + 1; }
+  /// kNoNode outside the window.
   [[nodiscard]] NodeId node_of(BlockId block) const { return node_of_block_[block]; }
   [[nodiscard]] const std::array<std::uint32_t, 4>& children(NodeId node) const {
     return children_[node];
@@ -67,7 +74,7 @@ class TemplateTree {
   }
 
  private:
-  NodeId copy(const Quadtree& tree, BlockId block);
+  NodeId copy(const Quadtree& tree, const Window& window, BlockId block);
 
   std::vector<std::array<std::uint32_t, 4>> children_;
   std::vector<std::uint8_t> fates_;  ///< two bits per child

@@ -18,46 +18,65 @@ VertexId vertices_of_leaf(const TemplateTree& tree, NodeId node, Quadrant q) {
   return 1 + outer + inner;
 }
 
+std::uint64_t halves_cases(const Counters& counters) {
+  return counters.stitch_cases[static_cast<std::size_t>(StitchCase::kTwoTwoHalves)];
+}
+
 }  // namespace
 
-TreeMesh::TreeMesh(const Domain& domain, const Separation& separation, Counters& counters)
-    : tree_(separation.tree()), template_tree_(tree_), cell_of_(separation.cell_of_point()) {
+TreeMesh::TreeMesh(const Domain& domain, const Separation& separation, Counters& counters,
+                   Window window)
+    : tree_(separation.tree()),
+      window_(std::move(window)),
+      template_tree_(tree_, window_),
+      cell_of_(separation.cell_of_point()) {
+  const std::uint64_t halves_before = halves_cases(counters);
   mesh_ = quadrangulate(template_tree_, tree_.root(), TwoTwoVariant::kExact, counters);
   const auto count = static_cast<VertexId>(mesh_.vertices.size());
-  for (VertexId v = end_of_leaf_vertices(); v < count; ++v)
+  // They are numbered last, two for each such case.
+  const auto extras = static_cast<VertexId>(2 * (halves_cases(counters) - halves_before));
+  for (VertexId v = count - extras; v < count; ++v)
     halves_extras_.emplace_back(centre(leaf_of(v)), v);
   std::sort(halves_extras_.begin(), halves_extras_.end());
   place_sites(domain);
   link_quads();
 }
 
-/// Leaves are numbered depth first, so the last leaf of the tree has the last of their vertices.
-VertexId TreeMesh::end_of_leaf_vertices() const {
-  constexpr Quadrant last = kQuadrants.back();
-  NodeId node = 0;
-  while ((template_tree_.children(node)[last] & Quadtree::kLeaf) == 0)
-    node = template_tree_.children(node)[last];
-  return template_tree_.centre(node, last) + vertices_of_leaf(template_tree_, node, last);
-}
-
 void TreeMesh::place_sites(const Domain& domain) {
   site_near_.assign(mesh_.vertices.size(), kNoSite);
   grid_of_.assign(mesh_.vertices.size(), kNoSite);
+  vertex_of_.assign(domain.size(), kNoVertex);
   for (EdgeId site = 0; site < domain.size(); ++site) {
-    const VertexId vertex = centre(cell_of_[site]);
-    vertex_of_.push_back(vertex);
-    site_near_[vertex] = site;
-    tree_.for_extended_neighbours(
-        cell_of_[site], [this, site](int, int, Cell there) { site_near_[centre(there)] = site; });
+    const Cell cell = cell_of_[site];
+    if (!is_near_window(cell)) continue;
+    tree_.for_extended_neighbours(cell, [this, site](int, int, Cell there) {
+      if (window_.has(there.block)) site_near_[centre(there)] = site;
+    });
     mark_grid(site);
-    mesh_.vertices.move_to(vertex, domain.floor(site));
+    if (!window_.has(cell.block)) continue;
+    vertex_of_[site] = centre(cell);
+    site_near_[vertex_of_[site]] = site;
+    mesh_.vertices.move_to(vertex_of_[site], domain.floor(site));
   }
   std::sort(other_grids_.begin(), other_grids_.end());
+}
+
+/// Whether some of the 5x5 grid of a cell may lie in the window: it is within the node of the cell
+/// and the eight around that one.
+bool TreeMesh::is_near_window(Cell cell) const {
+  if (window_.has(cell.block)) return true;
+  const Quadtree::Block& block = tree_.blocks()[cell.block];
+  bool near = false;
+  tree_.for_extended_neighbours({block.parent, block.quadrant}, [&](int, int, Cell there) {
+    near = near || (!tree_.is_leaf(there) && window_.has(tree_.content(there)));
+  });
+  return near;
 }
 
 /// Requires: the 24 cells around the site's cell exist and are leaves.
 void TreeMesh::mark_grid(EdgeId site) {
   const auto mark = [this, site](Cell leaf) {
+    if (!window_.has(leaf.block)) return;
     const VertexId vertex = centre(leaf);
     if (grid_of_[vertex] == kNoSite) {
       grid_of_[vertex] = site;

@@ -14,6 +14,7 @@
 #include "algo/quadtree.hpp"
 #include "algo/separation.hpp"
 #include "algo/template_tree.hpp"
+#include "algo/window.hpp"
 #include "model/mesh.hpp"
 
 namespace quadbound {
@@ -22,15 +23,17 @@ using QuadId = std::uint32_t;
 
 /// Guarantees: 1. The centre of the cell of a domain's vertex is moved onto that vertex (rounded
 /// down to the lattice); nothing else is moved. 2. quads_at lists every quad of a vertex once,
-/// ascending.
-/// Requires: tree and domain outlive it, and stay as they are. Complexity: linear.
+/// ascending. 3. Of a window all is there that lies in it; cells and sites outside have no
+/// vertices. Requires: tree and domain outlive it, and stay as they are. Complexity: linear.
 class TreeMesh {
  public:
   static constexpr EdgeId kNoSite = 0xFFFF'FFFFU;
 
-  TreeMesh(const Domain& domain, const Separation& separation, Counters& counters);
+  TreeMesh(const Domain& domain, const Separation& separation, Counters& counters,
+           Window window = {});
 
   [[nodiscard]] const Quadtree& tree() const { return tree_; }
+  [[nodiscard]] const Window& window() const { return window_; }
   [[nodiscard]] const Mesh& mesh() const { return mesh_; }
   [[nodiscard]] LatticePoint at(VertexId vertex) const { return mesh_.vertices.lattice(vertex); }
   void move_to(VertexId vertex, LatticePoint point) { mesh_.vertices.move_to(vertex, point); }
@@ -50,13 +53,16 @@ class TreeMesh {
 
   /// The leaf and the mesh vertex of a vertex of the domain.
   [[nodiscard]] Cell cell_of(EdgeId site) const { return cell_of_[site]; }
+  /// kNoVertex outside the window.
   [[nodiscard]] VertexId vertex_of(EdgeId site) const { return vertex_of_[site]; }
   /// The vertex of the domain whose cell or one of the 8 cells around it has its centre here; or
   /// kNoSite.
   [[nodiscard]] EdgeId site_near(VertexId vertex) const { return site_near_[vertex]; }
-  /// Calls visit(site) for each vertex of the domain in whose 5x5 grid a leaf is.
+  /// Calls visit(site) for each vertex of the domain in whose 5x5 grid a leaf is. Nothing is known
+  /// of a leaf outside the window.
   template <class Visit>
   void for_grids_with(Cell leaf, const Visit& visit) const {
+    if (!window_.has(leaf.block)) return;
     const VertexId vertex = centre(leaf);
     if (grid_of_[vertex] == kNoSite) return;
     visit(grid_of_[vertex]);
@@ -72,9 +78,10 @@ class TreeMesh {
   void link_quads();
   void place_sites(const Domain& domain);
   void mark_grid(EdgeId site);
-  [[nodiscard]] VertexId end_of_leaf_vertices() const;
+  [[nodiscard]] bool is_near_window(Cell cell) const;
 
   const Quadtree& tree_;
+  Window window_;
   TemplateTree template_tree_;
   Mesh mesh_;
   std::vector<Cell> cell_of_;

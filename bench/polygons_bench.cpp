@@ -217,7 +217,8 @@ struct CuttingStage : AfterQuadrangulation {
   using AfterQuadrangulation::AfterQuadrangulation;
   void prepare() {}
   [[nodiscard]] std::pair<CutQuads, std::size_t> run() const {
-    CutQuads made(domain, tree_mesh);
+    KnownCentres known;
+    CutQuads made(domain, tree_mesh, known);
     const std::size_t faults = separation_faults(domain, tree_mesh, made).size();
     return {std::move(made), faults};
   }

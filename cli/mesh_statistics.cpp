@@ -54,6 +54,7 @@ Json section_3_4(const PolygonCounters& counters) {
   const InsertionCounters& insertion = counters.insertion;
   return {{"cells_before_separation", counters.cells_before},
           {"rounds", counters.rounds},
+          {"local_rounds", counters.local_rounds},
           {"separation_splits", counters.separation_splits},
           {"size_splits", counters.size_splits},
           {"dead_end_splits", counters.dead_end_splits},

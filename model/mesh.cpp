@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace quadbound {
 
@@ -15,6 +16,11 @@ LatticePoint Vertices::encode(const RationalPoint& point) {
 }
 
 VertexId Vertices::add_exact(const RationalPoint& point) { return add(encode(point)); }
+
+VertexId Vertices::add_off_lattice(RationalPoint point) {
+  off_lattice_.push_back(std::move(point));
+  return add({kElsewhere, static_cast<std::int64_t>(off_lattice_.size() - 1)});
+}
 
 VertexId Vertices::add_double(const Point& point) {
   const auto x = lattice_floor(point.x, exponent_);

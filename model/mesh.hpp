@@ -36,6 +36,8 @@ class Vertices {
   }
   VertexId add_exact(const RationalPoint& point);
   VertexId add_double(const Point& point);
+  /// Requires: not on the lattice (guarantee 2).
+  VertexId add_off_lattice(RationalPoint point);
 
   /// Requires: vertex < size().
   void move_to(VertexId vertex, LatticePoint point) { entries_[vertex] = point; }
