@@ -13,9 +13,8 @@ namespace quadbound {
 ///
 /// Guarantees: 1. The quads with a vertex in a leaf of the core are those of the whole tree, if Q
 /// is made of the nodes of the window alone. 2. Quads that Q did not have before the splits have a
-/// vertex in a leaf of the core. Both by the reach of a stitch: a quad depends on two nodes with a
-/// common side and on the nodes beside these. They are not relied on: what a window is found to be
-/// free of, is looked for in the whole tree at last.
+/// vertex in a leaf of the core. Both are tested, not proved, and nothing relies on them: what a
+/// window is found to be free of is looked for in the whole tree at last.
 /// Complexity: the nodes in the window, times the depth at most; one byte for each node of the
 /// tree.
 class Window {
