@@ -64,12 +64,7 @@ Domain::Domain(const RootSquare& root, const std::vector<std::vector<RationalPoi
       ring_.push_back(static_cast<std::uint32_t>(&ring - rings.data()));
       next_.push_back(first + (k + 1) % count);
       previous_.push_back(first + (k + count - 1) % count);
-      const LatticeFloor x = *lattice_floor(ring[k].x, root.exponent);
-      const LatticeFloor y = *lattice_floor(ring[k].y, root.exponent);
-      const RationalPoint units = in_units(id);
-      fine_.push_back({{x.floor, y.floor},
-                       {x.exact ? 0.0 : nearest_double(units.x - Rational(x.floor)),
-                        y.exact ? 0.0 : nearest_double(units.y - Rational(y.floor))}});
+      fine_.push_back(fine_point(id));
     }
   }
   for (EdgeId e = 0; e < size(); ++e) {
@@ -77,6 +72,16 @@ Domain::Domain(const RootSquare& root, const std::vector<std::vector<RationalPoi
     runs_in_x_.push_back(std::abs(d.x) >= std::abs(d.y));
     backwards_.push_back((runs_in_x_[e] ? d.x : d.y) < 0);
   }
+}
+
+FinePoint Domain::fine_point(EdgeId vertex) const {
+  if (vertices_.on_lattice(vertex)) return quadbound::on_lattice(vertices_.lattice(vertex));
+  const RationalPoint units = in_units(vertex);
+  const LatticeFloor x = *lattice_floor(units.x, 0);
+  const LatticeFloor y = *lattice_floor(units.y, 0);
+  return {
+      {x.floor, y.floor},
+      {nearest_double(units.x - Rational(x.floor)), nearest_double(units.y - Rational(y.floor))}};
 }
 
 RationalPoint Domain::in_units(EdgeId vertex) const {

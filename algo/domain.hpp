@@ -83,6 +83,7 @@ class Domain {
   [[nodiscard]] bool is_kite_foot(EdgeId vertex) const;
 
  private:
+  [[nodiscard]] FinePoint fine_point(EdgeId vertex) const;
   [[nodiscard]] RationalPoint in_units(EdgeId vertex) const;
   [[nodiscard]] int side_exact(EdgeId e, const RationalPoint& point) const;
   [[nodiscard]] bool on_lattice_edge(EdgeId e) const { return !rounded(e) && !rounded(next_[e]); }

@@ -75,7 +75,7 @@ class FaultFinder {
     for (std::size_t first = 0; first < all.size();) {
       std::size_t end = first + 1;
       while (end < all.size() && all[end].vertex == all[first].vertex) ++end;
-      if (in_core(tree_mesh_.leaf_of(all[first].vertex)))
+      if (tree_mesh_.window().is_whole() || in_core(tree_mesh_.leaf_of(all[first].vertex)))
         check_vertex({all.data() + first, end - first});
       first = end;
     }

@@ -20,6 +20,15 @@ struct Candidate {
   double foot;
 };
 
+/// An upper bound of all that a candidate can have: the corners at x, y and b are the same for all.
+double largest_slack(const FramedPentagon& p) {
+  const double at_x = corner_slack({1, 0}, p.a);
+  const double at_y = corner_slack(p.c - Vector{p.y, 0}, {-1, 0});
+  const double at_b = corner_slack(p.a - p.b, p.c - p.b);
+  constexpr double kRounding = 1e-12;  // far above that of a slack
+  return std::min({at_x, at_y, at_b}) + kRounding;
+}
+
 double slack_of(const FramedPentagon& p, const Candidate& candidate, double least) {
   const Vector s = candidate.steiner;
   const Vector z{candidate.foot, 0};
@@ -101,6 +110,7 @@ std::optional<Pentagon> mesh_pentagon(const Domain& domain, EdgeId edge, const F
     return Vector{dot(u, d), cross(u, d)};
   };
   const FramedPentagon pentagon{dot(u, y - x), framed(a), framed(b), framed(c)};
+  if (!(largest_slack(pentagon) > least)) return std::nullopt;
   BestCandidate best(pentagon, least);
   offer_grid(pentagon, best);
   offer_near(pentagon.a, pentagon.c, -1, best);
