@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -56,6 +57,23 @@ TEST_F(Reproduce, HoldsAndNoClaimFails) {
   EXPECT_GE(results_[0].claims.size(), 20U);
   for (const PaperClaim& claim : results_[0].claims)
     EXPECT_NE(claim.verdict, PaperVerdict::kFails) << claim.what;
+}
+
+/// A verdict that changes must change paper/claims.json too.
+TEST_F(Reproduce, GivesTheVerdictsOfTheFileOfClaims) {
+  using Entry = std::tuple<std::string, std::string, std::string, std::string>;
+  std::vector<Entry> expected;
+  const auto file_of_claims = nlohmann::json::parse(read_file(QUADBOUND_PAPER_CLAIMS));
+  for (const auto& claim : file_of_claims.at("claims")) {
+    if (claim.at("checked_by") != "quadbound reproduce") continue;
+    const std::string why = claim.value("why", "");
+    expected.emplace_back(claim.at("id"), claim.at("what"), claim.at("paper"),
+                          claim.at("verdict").get<std::string>() + (why.empty() ? "" : ": " + why));
+  }
+  std::vector<Entry> found;
+  for (const PaperClaim& claim : results_[0].claims)
+    found.emplace_back(claim.id, claim.what, claim.paper, verdict_text(claim));
+  EXPECT_EQ(found, expected);
 }
 
 TEST_F(Reproduce, SameBytesTwiceSaveTheMachine) {
