@@ -128,7 +128,7 @@ void CutQuads::find_sides(const KnownCentres& known) {
     for (unsigned k = 0; k < 4; ++k) {
       const VertexId next = q[(k + 1) & 3U];
       if (where_[q[k]] == Where::kUnknown && where_[next] == Where::kUnknown)
-        sets.join(q[k], next, (odd_sides_[quad] >> k & 1U) != 0);
+        sets.join(q[k], next, (unsigned{odd_sides_[quad]} >> k & 1U) != 0);
     }
   }
   std::vector<Where> of_set(where_.size(), Where::kUnknown);
