@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """What bench/compare finds and what it does not, on made records; and history, record on them."""
+import contextlib
 import copy
 import importlib.machinery
 import importlib.util
+import io
 import itertools
 import json
 import math
@@ -64,15 +66,20 @@ class Judging(unittest.TestCase):
         self.head = made(self.noise)
 
     def judged(self, accepted=None):
-        """(exit status, output) of the program."""
+        """(exit status, output)."""
         with tempfile.TemporaryDirectory() as folder:
             paths = [pathlib.Path(folder) / name for name in ("base.json", "head.json", "ok.json")]
             for path, content in zip(paths, (self.base, self.head, accepted)):
                 path.write_text(json.dumps(content))
-            extra = ["--accepted", paths[2]] if accepted is not None else []
-            done = subprocess.run([sys.executable, "-B", HERE / "compare", "judge", *paths[:2],
-                                   *extra], capture_output=True, text=True, check=False)
-            return done.returncode, done.stdout + done.stderr
+            output = io.StringIO()
+            with contextlib.redirect_stdout(output):
+                try:
+                    status = compare.judge(*map(compare.read, paths[:2]),
+                                           paths[2] if accepted is not None else None)
+                except SystemExit as end:
+                    status = 2
+                    output.write(end.code)
+            return status, output.getvalue()
 
     def test_noise_is_no_finding(self):
         for _ in range(30):
@@ -173,6 +180,17 @@ class Samples(unittest.TestCase):
     def test_outliers(self):
         self.assertEqual(compare.outliers(20, 80), 3)
         self.assertIsNone(compare.outliers(3, 1))
+
+    def test_exit_status_of_the_program(self):
+        with tempfile.TemporaryDirectory() as folder:
+            base, head, bad = (pathlib.Path(folder) / name for name in "abc")
+            base.write_text(json.dumps(made(random.Random(6))))
+            head.write_text(json.dumps(made(random.Random(7), slowdown=1.5)))
+            bad.write_text("{}")
+            for pair, status in (((base, base), 0), ((base, head), 1), ((base, bad), 2)):
+                done = subprocess.run([sys.executable, "-B", HERE / "compare", "judge", *pair],
+                                      capture_output=True, check=False)
+                self.assertEqual(done.returncode, status)
 
     def test_least(self):
         noise = random.Random(2)
