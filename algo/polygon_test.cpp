@@ -83,6 +83,7 @@ int sign_of(const Rational& value) { return value > 0 ? 1 : value < 0 ? -1 : 0; 
 std::vector<LatticePoint> probes(const Domain& domain, EdgeId e, RandomIntegers& random) {
   const RootSquare& root = domain.root();
   std::vector<LatticePoint> points;
+  points.reserve(10);
   for (int i = 0; i < 10; ++i)
     points.push_back(
         {root.corner.x + random.bits(root.side_bits), root.corner.y + random.bits(root.side_bits)});
@@ -250,6 +251,7 @@ class Stage {
     for (;;) {
       std::vector<Cell> split;
       const auto faults = separation_faults(domain_, *tree_mesh_, *cut_quads_);
+      split.reserve(faults.size());
       for (const SeparationFault& fault : faults) split.push_back(fault.split);
       if (faults.empty())
         for (const VertexId v : keep_quads(*tree_mesh_, *cut_quads_).pinched)
@@ -299,6 +301,7 @@ TEST(Quadtree, TheLeafAtAPointHoldsIt) {
     const Quadtree& tree = stage.tree_mesh().tree();
     const RootSquare& root = tree.root();
     std::vector<LatticePoint> points;
+    points.reserve(500);
     for (int i = 0; i < 500; ++i)
       points.push_back({root.corner.x + random.bits(root.side_bits),
                         root.corner.y + random.bits(root.side_bits)});
