@@ -147,7 +147,8 @@ struct AfterQuadrangulation : AfterTree {
 
 struct AfterCutting : AfterQuadrangulation {
   explicit AfterCutting(const PolygonCase& the_case)
-      : AfterQuadrangulation(the_case), cut_quads(domain, tree_mesh) {}
+      : AfterQuadrangulation(the_case), cut_quads(domain, tree_mesh, known_centres) {}
+  KnownCentres known_centres;
   CutQuads cut_quads;
 };
 
