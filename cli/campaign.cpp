@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <system_error>
 #include <thread>
 
@@ -52,20 +53,40 @@ std::optional<std::uint64_t> CaseNumbers::next() {
   return index;
 }
 
+void make_findings_folder(const FuzzOptions& options) {
+  std::error_code error;
+  std::filesystem::create_directories(options.findings, error);
+  if (error)
+    throw OutputError(fmt::format("{}: cannot be made: {}", options.findings, error.message()));
+}
+
 void FindingsFolder::write_case(const std::string& path,
                                 const std::function<void(std::ostream&)>& write) const {
-  std::error_code error;
-  std::filesystem::create_directories(options_.findings, error);
-  if (error)
-    throw OutputError(fmt::format("{}: cannot be made: {}", options_.findings, error.message()));
+  make_findings_folder(options_);
   write_file(path, write);
 }
 
+namespace {
+
+bool has_line(const std::string& path, const std::string& line) {
+  std::ifstream stream(path, std::ios::binary);
+  std::string other;
+  while (std::getline(stream, other))
+    if (other == line) return true;
+  return false;
+}
+
+}  // namespace
+
 void FindingsFolder::note(const Entry& entry) const {
   const std::string index = path("INDEX");
-  std::ofstream stream(index, std::ios::binary | std::ios::app);
-  stream << fmt::format("{}\t{}\t{}\t{}\n", entry.claim, entry.origin, entry.replay, entry.detail);
-  if (!stream.flush()) throw OutputError(index + ": cannot be written");
+  const std::string line =
+      fmt::format("{}\t{}\t{}\t{}", entry.claim, entry.origin, entry.replay, entry.detail);
+  if (!options_.resume || !has_line(index, line)) {
+    std::ofstream stream(index, std::ios::binary | std::ios::app);
+    stream << line << "\n";
+    if (!stream.flush()) throw OutputError(index + ": cannot be written");
+  }
   if (!options_.quiet)
     fmt::print(stderr, "quadbound: finding: {}: {}\n", entry.claim, entry.replay);
 }

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <functional>
 #include <iosfwd>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <span>
 #include <string>
@@ -23,6 +23,12 @@
 #include "model/exact.hpp"
 
 namespace quadbound::cli {
+
+/// A part of a campaign: number 1 to `of`.
+struct Shard {
+  std::uint64_t number = 1;
+  std::uint64_t of = 1;
+};
 
 struct FuzzOptions {
   bool points = false;
@@ -42,12 +48,21 @@ struct FuzzOptions {
   std::uint64_t max_megabytes = 4096;
   std::size_t shrink_tries = 300;
   std::optional<Arctangent> min_tangent;  ///< empty: that of the theorem
+  std::string journal;                    ///< empty: in the folder of findings
+  bool resume = false;
+  Shard shard;
+  std::vector<std::string> merge;  ///< journals
+  std::string picture;
+  std::string worst_ever;
+  std::string search;         ///< an objective; empty: no search
+  std::uint64_t steps = 300;  ///< of a climb
   std::string replay;
   std::string corpus;
 };
 
 ExitStatus fuzz_points(const FuzzOptions& options);
 ExitStatus fuzz_polygons(const FuzzOptions& options);
+ExitStatus search_polygons(const FuzzOptions& options);
 
 unsigned workers_of(const FuzzOptions& options);
 
@@ -78,6 +93,9 @@ class CaseNumbers {
   std::atomic<bool> stopped_ = false;
 };
 
+/// Makes the folder of --findings where there is none. Errors: OutputError.
+void make_findings_folder(const FuzzOptions& options);
+
 /// The folder of --findings: a file per case, and INDEX with a line per finding. Not for several
 /// threads at once.
 class FindingsFolder {
@@ -96,7 +114,8 @@ class FindingsFolder {
     std::string replay;
     std::string detail;
   };
-  /// Adds a line to INDEX and says so on standard error. Errors: OutputError.
+  /// Adds a line to INDEX, unless a campaign that goes on finds it there, and says so on standard
+  /// error. Errors: OutputError.
   void note(const Entry& entry) const;
 
  private:

@@ -600,7 +600,8 @@ class FuzzPolygons(CommandLineTest):
                                "--threads", threads, "--summary", "summary.json")
             outputs.add((done.stdout, (self.folder / "summary.json").read_bytes()))
         self.assertEqual(len(outputs), 1)
-        self.assertFalse((self.folder / "findings").exists())
+        self.assertEqual([entry.name for entry in (self.folder / "findings").iterdir()],
+                         ["journal-5.jsonl"])
         summary = json.loads((self.folder / "summary.json").read_text())
         self.assertEqual(summary["all"]["cases"], 30)
         self.assertEqual(summary["findings"], [])

@@ -7,6 +7,7 @@
 #include <limits>
 #include <new>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <utility>
 #include <variant>
 
@@ -188,6 +189,10 @@ PolygonResult refused(const Refusal& refusal) {
   return without_mesh(PolygonOutcome::kFinding, "refusal", refusal.message);
 }
 
+std::int64_t microdegrees(const std::optional<Corner<Rational>>& corner) {
+  return corner ? std::llround(1e6 * JudgedCorner{{}, corner->cross, corner->dot}.degrees()) : 0;
+}
+
 bool is_convex(const Report& report) {
   const Claim* claim = report.find("strictly-convex");
   return claim != nullptr && claim->exact == Verdict::holds;
@@ -205,6 +210,8 @@ PolygonResult judged(const Polygon& polygon, const PolygonMesh& made, const Poly
   if (is_convex(report)) {  // a corner that does not turn left has no cotangent to compare
     result.smallest = extreme(report, "min-angle");
     result.largest = extreme(report, "max-angle");
+    result.smallest_microdegrees = microdegrees(result.smallest);
+    result.largest_microdegrees = microdegrees(result.largest);
     ConstructionSurvey(made.mesh).fill(result.constructions);
   }
   if (const auto broken = broken_claim(report)) {
@@ -231,6 +238,47 @@ std::optional<Corner<Rational>> corner_from(const Json& json) {
                           parse_rational(json.at(1).get<std::string>()).value()};
 }
 
+/// Of a mesh: what it counts, and the extreme corners by the number of the construction.
+void add_mesh(const PolygonResult& result, Json& json) {
+  json["sizes"] = {result.vertices, result.cells, result.quads};
+  json["microdegrees"] = {result.smallest_microdegrees, result.largest_microdegrees};
+  json["counts"] = result.counts;
+  if (result.microseconds != 0) json["microseconds"] = result.microseconds;
+  if (result.smallest) json["smallest"] = to_json(result.smallest);
+  if (result.largest) json["largest"] = to_json(result.largest);
+  for (std::size_t i = 0; i < result.constructions.size(); ++i) {
+    const ConstructionUse& use = result.constructions[i];
+    json["made_by"].push_back(use.quads);
+    if (use.smallest || use.largest)
+      json["extremes"].push_back({i, to_json(use.smallest), to_json(use.largest)});
+  }
+}
+
+void read_mesh_of(const Json& json, PolygonResult& result) {
+  json.at("sizes").at(0).get_to(result.vertices);
+  json.at("sizes").at(1).get_to(result.cells);
+  json.at("sizes").at(2).get_to(result.quads);
+  json.at("microdegrees").at(0).get_to(result.smallest_microdegrees);
+  json.at("microdegrees").at(1).get_to(result.largest_microdegrees);
+  json.at("counts").get_to(result.counts);
+  result.microseconds = json.value("microseconds", std::uint64_t{0});
+  result.smallest = corner_from(json.value("smallest", Json()));
+  result.largest = corner_from(json.value("largest", Json()));
+  for (std::size_t i = 0; i < result.constructions.size(); ++i)
+    json.at("made_by").at(i).get_to(result.constructions[i].quads);
+  for (const Json& extremes : json.value("extremes", Json::array())) {
+    ConstructionUse& use = result.constructions.at(extremes.at(0).get<std::size_t>());
+    use.smallest = corner_from(extremes.at(1));
+    use.largest = corner_from(extremes.at(2));
+  }
+}
+
+PolygonOutcome outcome_from(const std::string& name) {
+  const auto* const found = std::ranges::find(kPolygonOutcomeNames, name);
+  if (found == kPolygonOutcomeNames.end()) throw std::invalid_argument("no outcome: " + name);
+  return static_cast<PolygonOutcome>(found - kPolygonOutcomeNames.begin());
+}
+
 }  // namespace
 
 PolygonCase random_polygon_case(const PolygonCampaign& campaign, std::uint64_t index) {
@@ -253,6 +301,20 @@ PolygonCase random_polygon_case(const PolygonCampaign& campaign, std::uint64_t i
   }
 }
 
+PolygonRecipe varied(PolygonRecipe recipe, RandomIntegers& random, std::uint64_t max_n) {
+  const FamilyDescription& description = find_family(polygon_families(), recipe.family);
+  const std::uint64_t choice = random.below(2 + description.parameters.size());
+  if (choice == 0) {
+    recipe.n = fitting(description.sizes, any_n(random, max_n));
+  } else if (choice == 1) {
+    recipe.seed = static_cast<std::uint64_t>(random.bits(32));
+  } else {
+    const Parameter& parameter = description.parameters[choice - 2];
+    recipe.parameters[std::string(parameter.name)] = any_value(random, bounded(parameter));
+  }
+  return completed(std::move(recipe), polygon_families());
+}
+
 std::string_view polygon_construction_name(std::size_t construction) {
   return construction < kConstructionCount
              ? kConstructionNames[construction]
@@ -272,99 +334,23 @@ PolygonResult try_polygon(const Polygon& polygon, const PolygonTrial& trial) {
 }
 
 std::string to_text(const PolygonResult& result) {
-  Json json{{"outcome", static_cast<int>(result.outcome)},
-            {"recipe", result.recipe},
-            {"claim", result.claim},
-            {"detail", result.detail},
-            {"sizes", {result.vertices, result.cells, result.quads}},
-            {"smallest", to_json(result.smallest)},
-            {"largest", to_json(result.largest)},
-            {"counts", result.counts}};
-  for (const ConstructionUse& use : result.constructions)
-    json["constructions"].push_back({use.quads, to_json(use.smallest), to_json(use.largest)});
+  Json json{{"outcome", kPolygonOutcomeNames[static_cast<std::size_t>(result.outcome)]}};
+  if (!result.recipe.empty()) json["recipe"] = result.recipe;
+  if (!result.claim.empty()) json["claim"] = result.claim;
+  if (!result.detail.empty()) json["detail"] = result.detail;
+  if (result.cells != 0) add_mesh(result, json);
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 PolygonResult result_from_text(const std::string& text) {
   const Json json = Json::parse(text);
   PolygonResult result;
-  result.outcome = static_cast<PolygonOutcome>(json.at("outcome").get<int>());
-  json.at("recipe").get_to(result.recipe);
-  json.at("claim").get_to(result.claim);
-  json.at("detail").get_to(result.detail);
-  json.at("sizes").at(0).get_to(result.vertices);
-  json.at("sizes").at(1).get_to(result.cells);
-  json.at("sizes").at(2).get_to(result.quads);
-  result.smallest = corner_from(json.at("smallest"));
-  result.largest = corner_from(json.at("largest"));
-  json.at("counts").get_to(result.counts);
-  for (std::size_t i = 0; i < result.constructions.size(); ++i) {
-    const Json& use = json.at("constructions").at(i);
-    result.constructions[i] = {use.at(0).get<std::uint64_t>(), corner_from(use.at(1)),
-                               corner_from(use.at(2))};
-  }
+  result.outcome = outcome_from(json.at("outcome").get<std::string>());
+  result.recipe = json.value("recipe", "");
+  result.claim = json.value("claim", "");
+  result.detail = json.value("detail", "");
+  if (json.contains("sizes")) read_mesh_of(json, result);
   return result;
-}
-
-void Spread::add(double value) {
-  smallest = count == 0 ? value : std::min(smallest, value);
-  largest = count == 0 ? value : std::max(largest, value);
-  sum += value;
-  ++count;
-}
-
-void Record::keep_smaller(const std::optional<Corner<Rational>>& candidate, const std::string& of) {
-  if (!candidate || (corner && !smaller_angle(*candidate, *corner))) return;
-  corner = candidate;
-  recipe = of;
-}
-
-void Record::keep_larger(const std::optional<Corner<Rational>>& candidate, const std::string& of) {
-  if (!candidate || (corner && !smaller_angle(*corner, *candidate))) return;
-  corner = candidate;
-  recipe = of;
-}
-
-void PolygonFamilyTally::add(const PolygonResult& result) {
-  ++cases;
-  ++outcomes[static_cast<std::size_t>(result.outcome)];
-  if (result.cells == 0) return;
-  vertices += result.vertices;
-  cells += result.cells;
-  quads += result.quads;
-  cells_per_vertex.add(static_cast<double>(result.cells) / static_cast<double>(result.vertices));
-  quads_per_cell.add(static_cast<double>(result.quads) / static_cast<double>(result.cells));
-  smallest.keep_smaller(result.smallest, result.recipe);
-  largest.keep_larger(result.largest, result.recipe);
-}
-
-void PolygonTally::add(std::uint64_t index, const PolygonResult& result,
-                       const std::string& family) {
-  all.add(result);
-  families[family].add(result);
-  add_each(counts, result.counts);
-  for (std::size_t i = 0; i < constructions.size(); ++i) {
-    const ConstructionUse& use = result.constructions[i];
-    constructions[i].quads += use.quads;
-    constructions[i].cases += use.quads == 0 ? 0 : 1;
-    constructions[i].smallest.keep_smaller(use.smallest, result.recipe);
-    constructions[i].largest.keep_larger(use.largest, result.recipe);
-  }
-  if (result.outcome == PolygonOutcome::kFinding)
-    findings.push_back({index, result});
-  else if (result.outcome != PolygonOutcome::kProved)
-    refusals.push_back({index, result});
-}
-
-std::vector<std::string> PolygonTally::never_reached() const {
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < constructions.size(); ++i) {
-    // A whole kite needs sides without Steiner points, but condition A.3 makes every side of a kite
-    // longer than 2 sqrt(2) cells: only tests of fill_kites by itself reach it.
-    if (i == number_of(StripConstruction::kKiteWhole)) continue;
-    if (constructions[i].quads == 0) names.emplace_back(polygon_construction_name(i));
-  }
-  return names;
 }
 
 }  // namespace quadbound::cli

@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,6 +13,7 @@
 #include "algo/construction.hpp"
 #include "algo/mesh_polygon.hpp"
 #include "generators/polygons.hpp"
+#include "generators/random.hpp"
 #include "model/angle.hpp"
 
 namespace quadbound::cli {
@@ -34,6 +34,11 @@ struct PolygonCampaign {
 /// dozen at most.
 /// Errors: RecipeError for a family that does not exist.
 PolygonCase random_polygon_case(const PolygonCampaign& campaign, std::uint64_t index);
+
+/// A recipe near another: with another n, seed or parameter.
+/// Requires: a completed recipe. Guarantees: 1. the result is completed; generate_polygon may
+/// refuse it.
+PolygonRecipe varied(PolygonRecipe recipe, RandomIntegers& random, std::uint64_t max_n);
 
 enum class PolygonOutcome {
   kProved,
@@ -93,8 +98,11 @@ struct PolygonResult {
   std::uint64_t quads = 0;
   std::optional<Corner<Rational>> smallest;  ///< new angles only
   std::optional<Corner<Rational>> largest;
+  std::int64_t smallest_microdegrees = 0;  ///< of the same, rounded
+  std::int64_t largest_microdegrees = 0;
   std::array<ConstructionUse, kPolygonConstructionCount> constructions;
   PolygonCounts counts{};
+  std::uint64_t microseconds = 0;  ///< of processor time, where they were measured
 };
 
 struct PolygonTrial {
@@ -108,69 +116,10 @@ struct PolygonTrial {
 /// Requires: polygon valid and normalised.
 PolygonResult try_polygon(const Polygon& polygon, const PolygonTrial& trial);
 
-/// Guarantees: 1. result_from_text(to_text(r)) == r in every member.
+/// As JSON in one line; what is empty takes no room.
+/// Guarantees: 1. result_from_text(to_text(r)) == r in every member. 2. other members of the object
+/// are ignored. Errors of result_from_text: std::exception for anything else.
 std::string to_text(const PolygonResult& result);
 PolygonResult result_from_text(const std::string& text);
-
-/// Smallest, mean and largest of ratios.
-struct Spread {
-  std::uint64_t count = 0;
-  double smallest = 0;
-  double largest = 0;
-  double sum = 0;
-  void add(double value);
-  [[nodiscard]] double mean() const { return count == 0 ? 0 : sum / static_cast<double>(count); }
-};
-
-/// The most extreme corner so far and the recipe that has it.
-struct Record {
-  std::optional<Corner<Rational>> corner;
-  std::string recipe;
-  void keep_smaller(const std::optional<Corner<Rational>>& candidate, const std::string& of);
-  void keep_larger(const std::optional<Corner<Rational>>& candidate, const std::string& of);
-};
-
-struct PolygonFamilyTally {
-  std::uint64_t cases = 0;
-  std::array<std::uint64_t, kPolygonOutcomeNames.size()> outcomes{};
-  std::uint64_t vertices = 0;  ///< this and all below: of the polygons that were meshed
-  std::uint64_t cells = 0;
-  std::uint64_t quads = 0;
-  Spread cells_per_vertex;
-  Spread quads_per_cell;
-  Record smallest;
-  Record largest;
-
-  [[nodiscard]] std::uint64_t count(PolygonOutcome outcome) const {
-    return outcomes[static_cast<std::size_t>(outcome)];
-  }
-  void add(const PolygonResult& result);
-};
-
-struct ConstructionTally {
-  std::uint64_t quads = 0;
-  std::uint64_t cases = 0;  ///< with at least one such quad
-  Record smallest;
-  Record largest;
-};
-
-/// Of a campaign, case by case in the order of their indices.
-struct PolygonTally {
-  struct Remark {
-    std::uint64_t index = 0;
-    PolygonResult result;
-  };
-  PolygonFamilyTally all;
-  std::map<std::string, PolygonFamilyTally> families;
-  std::array<ConstructionTally, kPolygonConstructionCount> constructions;
-  PolygonCounts counts{};
-  std::vector<Remark> findings;
-  std::vector<Remark> refusals;
-
-  void add(std::uint64_t index, const PolygonResult& result, const std::string& family);
-  /// Names of constructions without a quad.
-  /// Of those that a polygon can need: all but "kite whole".
-  [[nodiscard]] std::vector<std::string> never_reached() const;
-};
 
 }  // namespace quadbound::cli

@@ -6,14 +6,21 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <new>
+#include <optional>
 #include <set>
+#include <sstream>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "cli/fuzz_cases.hpp"
 #include "cli/isolated_task.hpp"
+#include "cli/polygon_search.hpp"
+#include "cli/polygon_tally.hpp"
 #include "cli/shrink_polygon.hpp"
 #include "model/validate.hpp"
 
@@ -87,8 +94,8 @@ TEST(PolygonCampaign, AnglesByConstructionAgreeWithTheJudge) {
     Record largest;
     std::uint64_t quads = 0;
     for (const ConstructionUse& use : result.constructions) {
-      smallest.keep_smaller(use.smallest, {});
-      largest.keep_larger(use.largest, {});
+      smallest.keep_smaller(use.smallest, 0, {});
+      largest.keep_larger(use.largest, 0, {});
       quads += use.quads;
     }
     EXPECT_EQ(quads, result.quads);
@@ -113,6 +120,128 @@ TEST(PolygonCampaign, ABudgetIsARefusal) {
   const PolygonResult result = try_polygon(polygon_of("star:n=30,seed=1"), trial);
   EXPECT_EQ(result.outcome, PolygonOutcome::kTooManyCells);
   EXPECT_NE(result.detail, "");
+}
+
+// --- tallies
+// --------------------------------------------------------------------------------------
+
+struct TallyCase {
+  std::uint64_t index;
+  std::string family;
+  PolygonResult result;
+};
+
+std::vector<TallyCase> tally_cases() {
+  std::vector<TallyCase> cases;
+  for (const char* recipe : {"star:n=12,seed=1", "regular:n=6,seed=1", "star:n=9,seed=2",
+                             "regular:n=6,seed=1", "star:n=12,seed=1", "regular:n=5,seed=1"}) {
+    PolygonResult result = try_polygon(polygon_of(recipe), {});
+    result.recipe = recipe;
+    cases.push_back({cases.size(), parse_polygon_recipe(recipe).family, result});
+  }
+  return cases;
+}
+
+/// What a tally tells, with the first cases of its records.
+std::string told(const PolygonTally& tally) {
+  std::ostringstream text;
+  const auto tell = [&text](const Record& record) {
+    text << record.index << " " << record.recipe << " "
+         << (record.corner ? quadbound::to_text(record.corner->cross) : "") << "\n";
+  };
+  for (const auto& [family, t] : tally.families) {
+    text << family << " " << t.cases << " " << t.cells << " " << t.cells_per_vertex.mean() << " "
+         << t.quads_per_cell.largest << "\n";
+    tell(t.smallest);
+    tell(t.largest);
+  }
+  for (const ConstructionTally& t : tally.constructions) {
+    text << t.quads << " " << t.cases << "\n";
+    tell(t.smallest);
+    tell(t.largest);
+  }
+  for (const auto& [bin, count] : tally.cells_per_vertex) text << bin << ":" << count << "\n";
+  return text.str();
+}
+
+TEST(PolygonTally, TheOrderMakesNoDifferenceAndTiesGoToTheFirstCase) {
+  std::vector<TallyCase> cases = tally_cases();
+  PolygonTally tally;
+  for (const TallyCase& c : cases) tally.add(c.index, c.result, c.family);
+  const std::string once = told(tally);
+  EXPECT_EQ(once.find("3 regular"), std::string::npos);  // the same polygon as case 1
+  for (int turn = 0; turn < 5; ++turn) {
+    std::ranges::rotate(cases, cases.begin() + 1);
+    PolygonTally other;
+    for (const TallyCase& c : cases) other.add(c.index, c.result, c.family);
+    EXPECT_EQ(told(other), once);
+  }
+}
+
+TEST(PolygonTally, NewsComeToTheSameAsTheWholeAndSayNothingTwice) {
+  std::vector<TallyCase> cases = tally_cases();
+  std::ranges::reverse(cases);
+  PolygonTally whole;
+  PolygonTally by_news;
+  for (const TallyCase& c : cases) {
+    whole.add(c.index, c.result, c.family);
+    by_news.add(c.index, by_news.news(c.index, c.result, c.family), c.family);
+  }
+  EXPECT_EQ(told(by_news), told(whole));
+  const PolygonResult nothing_new = by_news.news(100, cases.front().result, cases.front().family);
+  EXPECT_TRUE(nothing_new.recipe.empty());
+  EXPECT_FALSE(nothing_new.smallest.has_value());
+  EXPECT_EQ(nothing_new.quads, cases.front().result.quads);
+}
+
+TEST(PolygonTally, BinsOfRatiosAreFourToAnOctave) {
+  EXPECT_EQ(ratio_bin_start(0), 1);
+  EXPECT_EQ(ratio_bin_start(1), 1.25);
+  EXPECT_EQ(ratio_bin_start(4), 2);
+  EXPECT_EQ(ratio_bin_start(-1), 0.875);
+  EXPECT_EQ(ratio_bin_start(-4), 0.5);
+}
+
+// --- climbs
+// ---------------------------------------------------------------------------------------
+
+TEST(PolygonSearch, ChangesAreValidPolygonsOnTheLattice) {
+  RandomIntegers random(1);
+  Polygon polygon = polygon_of("star:n=20,seed=1,holes=2");
+  int changes = 0;
+  for (int i = 0; i < 400; ++i) {
+    const std::optional<Polygon> next = changed(polygon, random, 40);
+    if (!next) continue;
+    ++changes;
+    polygon = *next;
+    EXPECT_NO_THROW(validate(polygon));
+    EXPECT_LE(vertex_count(polygon), 40U);
+    for (const Ring& ring : polygon.rings)
+      for (const Point& p : ring) EXPECT_EQ(std::ldexp(p.x, 24), std::round(std::ldexp(p.x, 24)));
+  }
+  EXPECT_GT(changes, 100);
+}
+
+TEST(PolygonSearch, AClimbKeepsWhatIsFurtherAndSurvivesItsTextForm) {
+  ClimbPlan plan;
+  plan.campaign.families = {"regular"};
+  plan.campaign.max_n = 8;
+  plan.objective = Objective::kCells;
+  plan.steps = 60;
+  std::uint64_t most = 0;
+  const auto by_area = [&most](const Polygon& polygon) {  // no mesher: the widest polygon wins
+    PolygonResult result;
+    result.vertices = vertex_count(polygon);
+    for (const Point& p : polygon.rings[0])
+      result.cells = std::max(result.cells, static_cast<std::uint64_t>(1000 * (p.x + 10)));
+    most = std::max(most, result.cells);
+    return result;
+  };
+  const Climb once = climb(plan, 3, by_area);
+  EXPECT_EQ(once.best.result.cells, most);
+  EXPECT_GT(once.best.result.cells, once.start.cells);
+  EXPECT_EQ(to_text(climb(plan, 3, by_area)), to_text(once));
+  EXPECT_EQ(to_text(climb_from_text(to_text(once))), to_text(once));
 }
 
 // --- child processes

@@ -61,8 +61,9 @@ void send(int descriptor, const std::string& text) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
 #endif
   if (::getppid() != parent) ::_exit(1);  // it died before the line above
-  // What stops the campaign stops its children as well, without the parent's cleaning up.
-  for (const int number : {SIGINT, SIGTERM, SIGHUP}) ::signal(number, SIG_DFL);
+  // Ctrl-C reaches the whole group of processes. A child that it ended would look like a crash; the
+  // parent sees to its end.
+  for (const int number : {SIGINT, SIGTERM, SIGHUP}) ::signal(number, SIG_IGN);
   keep_limits(limits);
   try {
     send(descriptor, work());
