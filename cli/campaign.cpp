@@ -68,12 +68,20 @@ void FindingsFolder::write_case(const std::string& path,
 
 namespace {
 
-bool has_line(const std::string& path, const std::string& line) {
+/// Lines of the index of a campaign that goes on.
+struct OldIndex {
+  bool has_line = false;
+  bool is_torn = false;  ///< the last line has no end, as a full disk leaves it
+};
+
+OldIndex look_into(const std::string& path, const std::string& line) {
   std::ifstream stream(path, std::ios::binary);
-  std::string other;
-  while (std::getline(stream, other))
-    if (other == line) return true;
-  return false;
+  OldIndex index;
+  for (std::string other; std::getline(stream, other);) {
+    index.is_torn = stream.eof();
+    index.has_line = index.has_line || (other == line && !index.is_torn);
+  }
+  return index;
 }
 
 }  // namespace
@@ -82,9 +90,10 @@ void FindingsFolder::note(const Entry& entry) const {
   const std::string index = path("INDEX");
   const std::string line =
       fmt::format("{}\t{}\t{}\t{}", entry.claim, entry.origin, entry.replay, entry.detail);
-  if (!options_.resume || !has_line(index, line)) {
+  const OldIndex old = options_.resume ? look_into(index, line) : OldIndex{};
+  if (!old.has_line) {
     std::ofstream stream(index, std::ios::binary | std::ios::app);
-    stream << line << "\n";
+    stream << (old.is_torn ? "\n" : "") << line << "\n";
     if (!stream.flush()) throw OutputError(index + ": cannot be written");
   }
   if (!options_.quiet)

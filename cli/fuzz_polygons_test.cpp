@@ -171,7 +171,7 @@ TEST(PolygonTally, TheOrderMakesNoDifferenceAndTiesGoToTheFirstCase) {
   const std::string once = told(tally);
   EXPECT_EQ(once.find("3 regular"), std::string::npos);  // the same polygon as case 1
   for (int turn = 0; turn < 5; ++turn) {
-    std::ranges::rotate(cases, cases.begin() + 1);
+    std::rotate(cases.begin(), cases.begin() + 1, cases.end());
     PolygonTally other;
     for (const TallyCase& c : cases) other.add(c.index, c.result, c.family);
     EXPECT_EQ(told(other), once);
@@ -180,7 +180,7 @@ TEST(PolygonTally, TheOrderMakesNoDifferenceAndTiesGoToTheFirstCase) {
 
 TEST(PolygonTally, NewsComeToTheSameAsTheWholeAndSayNothingTwice) {
   std::vector<TallyCase> cases = tally_cases();
-  std::ranges::reverse(cases);
+  std::reverse(cases.begin(), cases.end());
   PolygonTally whole;
   PolygonTally by_news;
   for (const TallyCase& c : cases) {
