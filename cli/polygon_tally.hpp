@@ -104,7 +104,7 @@ struct PolygonTally {
   [[nodiscard]] PolygonResult news(std::uint64_t index, PolygonResult result,
                                    const std::string& family) const;
 
-  /// Names of constructions without a quad, of those that a polygon can need: all but "kite whole".
+  /// Names of constructions without a quad, but for "kite whole", which is rare.
   [[nodiscard]] std::vector<std::string> never_reached() const;
 };
 
