@@ -13,7 +13,7 @@ namespace quadbound {
 ///
 /// Guarantees: 1. find(a) and find(b) have the same set exactly if joins lead from a to b; then
 /// their sides differ exactly if an odd number of those joins says so (the same along all ways if
-/// the joins agree). Complexity: almost constant.
+/// the joins agree). Complexity: logarithmic, amortised, by halved paths alone.
 /// Requires: fewer than 2^31 of them.
 class SideSets {
  public:
