@@ -189,11 +189,13 @@ void draw(Canvas& canvas, const PolygonTally& tally) {
                           tally.findings.size()),
               15);
   const std::array<Panel, 4> all = panels(tally);
-  for (std::size_t i = 0; i < all.size(); ++i)
-    PanelDrawing(
-        canvas, all[i],
-        {kLeft + kAcross * static_cast<double>(i % 2), kTop + kDown * static_cast<double>(i / 2)})
-        .draw();
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const std::size_t row = i / 2;
+    const std::size_t column = i % 2;
+    const Point corner{kLeft + kAcross * static_cast<double>(column),
+                       kTop + kDown * static_cast<double>(row)};
+    PanelDrawing(canvas, all[i], corner).draw();
+  }
 }
 
 }  // namespace

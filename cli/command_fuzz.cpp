@@ -103,7 +103,7 @@ void add_campaign_options(CLI::App& command, FuzzOptions& options) {
       ->capture_default_str();
   command.add_option("--families,--family", options.families, "only these, separated by commas")
       ->delimiter(',');
-  command.add_option("--max-n", options.max_n, "the most vertices outside (400) or points (300)")
+  command.add_option("--max-n", options.max_n, "the most vertices outside (10000) or points (300)")
       ->check(CLI::Range(std::uint64_t{1}, kMaxRecipeSize));
   command.add_option("--max-cells", options.max_cells,
                      "refuse cases beyond so many quadtree cells (2000000; points 10000000)");

@@ -25,7 +25,7 @@ struct PolygonCase {
 
 struct PolygonCampaign {
   std::uint64_t seed = 1;
-  std::uint64_t max_n = 400;
+  std::uint64_t max_n = 10'000;
   std::vector<std::string> families;  ///< must not be empty
 };
 
