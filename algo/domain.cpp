@@ -24,11 +24,8 @@ Rational cross_of(const RationalPoint& a, const RationalPoint& b, const Rational
 /// Difference and product errors of cross() on FinePoints stay below 2^-48 of the products.
 constexpr double kFilter = 0x1p-46;
 
-struct FloorDivision {
-  std::int64_t quotient;
-  double fraction;
-};
-FloorDivision floor_division(Int128 numerator, std::int64_t denominator) {
+/// Requires: the quotient fits into 64 bits.
+LatticeFraction divided(Int128 numerator, std::int64_t denominator) {
   if (denominator < 0) {
     numerator = -numerator;
     denominator = -denominator;
@@ -39,17 +36,8 @@ FloorDivision floor_division(Int128 numerator, std::int64_t denominator) {
     remainder += denominator;
     --quotient;
   }
-  return {static_cast<std::int64_t>(quotient),
-          static_cast<double>(remainder) / static_cast<double>(denominator)};
-}
-
-/// numerator / denominator * 2^exponent.
-Rational scaled_ratio(Int128 numerator, std::int64_t denominator, int exponent) {
-  boost::multiprecision::mpz_int above(static_cast<std::int64_t>(numerator >> 64));
-  above = (above << 64) + static_cast<std::uint64_t>(numerator);
-  boost::multiprecision::mpz_int below(denominator);
-  (exponent < 0 ? below : above) <<= static_cast<unsigned>(std::abs(exponent));
-  return {above, below};
+  return {static_cast<std::int64_t>(quotient), static_cast<std::uint64_t>(remainder),
+          static_cast<std::uint64_t>(denominator)};
 }
 
 }  // namespace
@@ -162,8 +150,9 @@ FinePoint Domain::foot_point(EdgeId e, std::int64_t foot) const {
   const std::int64_t along = x ? b.floor.x - a.floor.x : b.floor.y - a.floor.y;
   const std::int64_t across = x ? b.floor.y - a.floor.y : b.floor.x - a.floor.x;
   const std::int64_t from = foot - (x ? a.floor.x : a.floor.y);
-  FloorDivision other = floor_division(Int128{from} * across, along);
-  other.quotient += x ? a.floor.y : a.floor.x;
+  const LatticeFraction ratio = divided(Int128{from} * across, along);
+  std::int64_t floor = ratio.floor + (x ? a.floor.y : a.floor.x);
+  double fraction = static_cast<double>(ratio.remainder) / static_cast<double>(ratio.denominator);
   if (!on_lattice_edge(e)) {
     const Vector rest = b.fraction - a.fraction;
     const double slope = static_cast<double>(across) / static_cast<double>(along);
@@ -175,12 +164,12 @@ FinePoint Domain::foot_point(EdgeId e, std::int64_t foot) const {
     const double added = (static_cast<double>(from) * (rest_across - slope * rest_along) -
                           start_along * (static_cast<double>(across) + rest_across)) /
                          (static_cast<double>(along) + rest_along);
-    const double fraction = other.fraction + start_across + added;
+    fraction = fraction + start_across + added;
     const double whole = std::floor(fraction);
-    other = {other.quotient + static_cast<std::int64_t>(whole), fraction - whole};
+    floor += static_cast<std::int64_t>(whole);
+    fraction -= whole;
   }
-  return x ? FinePoint{{foot, other.quotient}, {0, other.fraction}}
-           : FinePoint{{other.quotient, foot}, {other.fraction, 0}};
+  return x ? FinePoint{{foot, floor}, {0, fraction}} : FinePoint{{floor, foot}, {fraction, 0}};
 }
 
 VertexId Domain::add_foot(Vertices& vertices, EdgeId e, std::int64_t foot) const {
@@ -190,14 +179,12 @@ VertexId Domain::add_foot(Vertices& vertices, EdgeId e, std::int64_t foot) const
   const LatticePoint b = floor(next_[e]);
   const std::int64_t along = x ? b.x - a.x : b.y - a.y;
   const Int128 rise = Int128{foot - (x ? a.x : a.y)} * (x ? b.y - a.y : b.x - a.x);
-  const std::int64_t start = x ? a.y : a.x;
-  if (rise % along == 0) {
-    const std::int64_t other = start + static_cast<std::int64_t>(rise / along);
-    return vertices.add(x ? LatticePoint{foot, other} : LatticePoint{other, foot});
-  }
-  const Rational here = dyadic(foot, root_.exponent);
-  const Rational other = scaled_ratio(Int128{start} * along + rise, along, root_.exponent);
-  return vertices.add_off_lattice(x ? RationalPoint{here, other} : RationalPoint{other, here});
+  LatticeFraction other = divided(rise, along);
+  other.floor += x ? a.y : a.x;
+  if (other.remainder == 0)
+    return vertices.add(x ? LatticePoint{foot, other.floor} : LatticePoint{other.floor, foot});
+  const LatticeFraction here{foot};
+  return vertices.add_fraction(x ? FractionPoint{here, other} : FractionPoint{other, here});
 }
 
 RationalPoint Domain::foot_exact(EdgeId e, std::int64_t foot) const {

@@ -10,19 +10,34 @@
 namespace quadbound {
 namespace {
 
-/// Whether an edge may meet a cell grown by a quarter of its side, which is how far outside a
-/// mirrored extra point lies.
-bool may_meet(const Domain& domain, EdgeId edge, LatticePoint corner, int side_bits) {
+/// What is asked of an edge at every node on its way, side by side in memory.
+struct PackedEdge {
+  EdgeId id;
+  LatticePoint low;  ///< its bounding box
+  LatticePoint high;
+  FinePoint start;
+  Vector direction;
+};
+
+PackedEdge packed(const Domain& domain, EdgeId edge) {
   const LatticePoint a = domain.floor(edge);
   const LatticePoint b = domain.floor(domain.next(edge));
+  return {edge,
+          {std::min(a.x, b.x), std::min(a.y, b.y)},
+          {std::max(a.x, b.x), std::max(a.y, b.y)},
+          domain.at(edge),
+          domain.direction(edge)};
+}
+
+/// Whether an edge may meet a cell grown by a quarter of its side, which is how far outside a
+/// mirrored extra point lies.
+bool may_meet(const PackedEdge& edge, LatticePoint corner, int side_bits) {
   const std::int64_t side = std::int64_t{1} << side_bits;
   const std::int64_t grown = side / 4 + 1;
-  if (std::max(a.x, b.x) < corner.x - grown || std::min(a.x, b.x) > corner.x + side + grown)
-    return false;
-  if (std::max(a.y, b.y) < corner.y - grown || std::min(a.y, b.y) > corner.y + side + grown)
-    return false;
-  const Vector d = domain.direction(edge);
-  const Vector to_centre = on_lattice({corner.x + side / 2, corner.y + side / 2}) - domain.at(edge);
+  if (edge.high.x < corner.x - grown || edge.low.x > corner.x + side + grown) return false;
+  if (edge.high.y < corner.y - grown || edge.low.y > corner.y + side + grown) return false;
+  const Vector d = edge.direction;
+  const Vector to_centre = on_lattice({corner.x + side / 2, corner.y + side / 2}) - edge.start;
   const double reach = 0.75 * static_cast<double>(side) + 2;
   const double size = std::abs(d.x) + std::abs(d.y);
   // 2^-48 is more than the rounding of the cross product.
@@ -33,9 +48,14 @@ bool may_meet(const Domain& domain, EdgeId edge, LatticePoint corner, int side_b
 class Descent {
  public:
   Descent(const Domain& domain, const Quadtree& tree, const Window& window,
-          std::vector<EdgeId> edges,
+          const std::vector<EdgeId>& edges,
           const std::function<void(Cell, std::span<const EdgeId>)>& visit)
-      : domain_(domain), tree_(tree), window_(window), visit_(visit), edges_(std::move(edges)) {}
+      : tree_(tree), window_(window), visit_(visit) {
+    packed_.reserve(edges.size());
+    for (const EdgeId e : edges) packed_.push_back(packed(domain, e));
+    edges_.resize(edges.size());
+    std::iota(edges_.begin(), edges_.end(), 0U);
+  }
 
   /// The edges that may meet the block are those from `first` to the top of the stack.
   void descend(BlockId block, std::size_t first) {
@@ -45,11 +65,11 @@ class Descent {
       if (!tree_.is_leaf(cell) && !window_.has(tree_.content(cell))) continue;
       const LatticePoint corner = tree_.corner(cell);
       for (std::size_t i = first; i < end; ++i)
-        if (may_meet(domain_, edges_[i], corner, tree_.side_bits(cell)))
+        if (may_meet(packed_[edges_[i]], corner, tree_.side_bits(cell)))
           edges_.push_back(edges_[i]);
       if (edges_.size() > end) {
         if (tree_.is_leaf(cell)) {
-          visit_(cell, {edges_.data() + end, edges_.size() - end});
+          visit(cell, {edges_.data() + end, edges_.size() - end});
         } else {
           descend(tree_.content(cell), end);
         }
@@ -59,11 +79,18 @@ class Descent {
   }
 
  private:
-  const Domain& domain_;
+  void visit(Cell leaf, std::span<const std::uint32_t> edges) {
+    met_.clear();
+    for (const std::uint32_t i : edges) met_.push_back(packed_[i].id);
+    visit_(leaf, met_);
+  }
+
   const Quadtree& tree_;
   const Window& window_;
   const std::function<void(Cell, std::span<const EdgeId>)>& visit_;
-  std::vector<EdgeId> edges_;  ///< a stack
+  std::vector<PackedEdge> packed_;
+  std::vector<std::uint32_t> edges_;  ///< a stack of indices into packed_
+  std::vector<EdgeId> met_;
 };
 
 /// The part of an edge within a square, from its middle; nullopt where there is none.
@@ -131,9 +158,9 @@ bool is_too_large(const Domain& domain, const Quadtree& tree, Cell leaf,
 }  // namespace
 
 void for_leaves_with_edges(const Domain& domain, const Quadtree& tree, const Window& window,
-                           std::vector<EdgeId> edges,
+                           const std::vector<EdgeId>& edges,
                            const std::function<void(Cell, std::span<const EdgeId>)>& visit) {
-  Descent(domain, tree, window, std::move(edges), visit).descend(0, 0);
+  Descent(domain, tree, window, edges, visit).descend(0, 0);
 }
 
 std::vector<EdgeId> edges_of(const Domain& domain) {

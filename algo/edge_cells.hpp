@@ -18,7 +18,7 @@ namespace quadbound {
 /// mirrored extra point lies) is listed; some that do not may be, too.
 /// Complexity: linear in the pairs of an edge and a node of the tree that meet.
 void for_leaves_with_edges(const Domain& domain, const Quadtree& tree, const Window& window,
-                           std::vector<EdgeId> edges,
+                           const std::vector<EdgeId>& edges,
                            const std::function<void(Cell, std::span<const EdgeId>)>& visit);
 /// All of them, ascending.
 std::vector<EdgeId> edges_of(const Domain& domain);

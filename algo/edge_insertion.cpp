@@ -86,12 +86,15 @@ class Insertion {
     return alpha_[static_cast<std::size_t>((start_ + j) % size_)];
   }
   [[nodiscard]] LatticePoint point(int j) const { return tree_mesh_.at(vertex(j)); }
-  std::vector<State>& states(int j) { return states_[static_cast<std::size_t>(j)]; }
+  /// Those of the last index that was made may still grow, the earlier ones not.
+  std::span<State> states(int j) {
+    const auto at = static_cast<std::size_t>(j);
+    return {states_.data() + first_state_[at], first_state_[at + 1] - first_state_[at]};
+  }
 
   // --- states ------------------------------------------------------------------------------------
 
-  [[nodiscard]] std::vector<State> states_at(VertexId v, std::uint8_t level) const {
-    std::vector<State> result;
+  void append_states_at(VertexId v, std::uint8_t level, std::vector<State>& result) const {
     const LatticePoint at = tree_mesh_.at(v);
     for (const Above& above : cut_quads_.above(v)) {
       const double height = domain_.height(above.edge, at);
@@ -113,6 +116,10 @@ class Insertion {
       state.at = domain_.at(site);
       result.push_back(state);
     }
+  }
+  [[nodiscard]] std::vector<State> states_at(VertexId v, std::uint8_t level) const {
+    std::vector<State> result;
+    append_states_at(v, level, result);
     return result;
   }
 
@@ -191,9 +198,12 @@ class Insertion {
   int search_from(int start) {
     start_ = start;
     levels_.assign(alpha_.size(), 0);
-    states_.assign(alpha_.size() + 1, {});
-    states(0) = states_at(vertex(0), 0);
-    states(0).front().slack = kEnoughSlack;
+    first_state_.assign(alpha_.size() + 2, 0);
+    states_.clear();
+    find_bumps();
+    append_states_at(vertex(0), 0, states_);
+    first_state_[1] = states_.size();
+    states_.front().slack = kEnoughSlack;
     int from = 1;
     for (;;) {
       const int dead = advance(from);
@@ -209,11 +219,7 @@ class Insertion {
     while (reached > 0 && !is_reached(reached)) --reached;
     for (int j = first; j <= size_; ++j) {
       if (j - reached > kLongestPiece) return reached;
-      if (j == size_) {
-        states(j) = {fresh(states(0).front())};
-      } else {
-        states(j) = states_at(vertex(j), levels_[static_cast<std::size_t>(j)]);
-      }
+      make_states(j);
       for (int s = 0; s < static_cast<int>(states(j).size()); ++s) reach(j, s);
       for (int s = 0; s < static_cast<int>(states(j).size()); ++s) reach_by_corner(j, s);
       if (is_reached(j)) reached = j;
@@ -221,14 +227,22 @@ class Insertion {
     return reached;
   }
 
-  static State fresh(State state) {
-    state.slack = -1;
-    return state;
+  void make_states(int j) {
+    const auto at = static_cast<std::size_t>(j);
+    states_.resize(first_state_[at]);
+    if (j == size_) {
+      State last = states_.front();
+      last.slack = -1;
+      states_.push_back(last);
+    } else {
+      append_states_at(vertex(j), levels_[at], states_);
+    }
+    first_state_[at + 1] = states_.size();
   }
 
   bool is_reached(int j) {
-    return std::any_of(states(j).begin(), states(j).end(),
-                       [](const State& s) { return s.slack > 0; });
+    const std::span<State> here = states(j);
+    return std::any_of(here.begin(), here.end(), [](const State& s) { return s.slack > 0; });
   }
 
   bool widen(int dead) {
@@ -253,13 +267,17 @@ class Insertion {
   void for_links_to(int j, const Visit& visit) {
     if (j >= 1) visit(Link{j - 1, false, 1});
     if (j < 3) return;
-    const double slack = bump_slack(j - 3);
+    const double slack = bumps_[static_cast<std::size_t>(j - 3)];
     if (slack > kSmallestSlack) visit(Link{j - 3, true, slack});
   }
 
-  [[nodiscard]] double bump_slack(int j) const {
-    return quad_slack(std::array<FinePoint, 4>{on_lattice(point(j)), on_lattice(point(j + 3)),
-                                               on_lattice(point(j + 2)), on_lattice(point(j + 1))});
+  /// The slack of the bump from each index.
+  void find_bumps() {
+    bumps_.resize(alpha_.size());
+    for (int j = 0; j < size_; ++j)
+      bumps_[static_cast<std::size_t>(j)] =
+          quad_slack(std::array<FinePoint, 4>{on_lattice(point(j)), on_lattice(point(j + 3)),
+                                              on_lattice(point(j + 2)), on_lattice(point(j + 1))});
   }
 
   void offer(State& to, int from, int from_state, double slack, unsigned quads,
@@ -283,9 +301,11 @@ class Insertion {
 
   template <class Visit>
   void for_reached(int j, const Visit& visit) {
-    for (int s = 0; s < static_cast<int>(states(j).size()); ++s)
-      if (states(j)[static_cast<std::size_t>(s)].slack > 0)
-        visit(states(j)[static_cast<std::size_t>(s)], s);
+    int s = 0;
+    for (const State& state : states(j)) {
+      if (state.slack > 0) visit(state, s);
+      ++s;
+    }
   }
 
   /// All pieces into a state but corner quads. Pentagons and hexagons cost a search and more quads,
@@ -457,7 +477,9 @@ class Insertion {
   int size_;
   int start_ = 0;
   std::vector<std::uint8_t> levels_;
-  std::vector<std::vector<State>> states_;
+  std::vector<double> bumps_;  ///< by index, see find_bumps
+  std::vector<State> states_;  ///< by index
+  std::vector<std::size_t> first_state_;
 };
 
 }  // namespace

@@ -17,7 +17,7 @@ using EdgePair = std::pair<EdgeId, EdgeId>;
 class FaultFinder {
  public:
   FaultFinder(const Domain& domain, const TreeMesh& tree_mesh, const CutQuads& cut_quads)
-      : domain_(domain), tree_mesh_(tree_mesh), cut_quads_(cut_quads) {}
+      : domain_(domain), tree_mesh_(tree_mesh), cut_quads_(cut_quads), leaves_(tree_mesh.tree()) {}
 
   std::vector<SeparationFault> run() {
     check_quads();
@@ -48,11 +48,11 @@ class FaultFinder {
     }
   }
 
-  [[nodiscard]] bool near_common_vertex(const Cut& a, const Cut& b) const {
+  [[nodiscard]] bool near_common_vertex(const Cut& a, const Cut& b) {
     const Quad& quad = tree_mesh_.mesh().quads[a.quad];
     const auto all_in_grid = [&](EdgeId site) {
       return std::all_of(quad.begin(), quad.end(),
-                         [&](VertexId v) { return in_grid(tree_mesh_.leaf_of(v), site); });
+                         [&](VertexId v) { return in_grid(leaf_of(v), site); });
     };
     if (domain_.next(a.edge) == b.edge && all_in_grid(b.edge)) return true;
     return domain_.next(b.edge) == a.edge && all_in_grid(a.edge);
@@ -75,7 +75,7 @@ class FaultFinder {
     for (std::size_t first = 0; first < all.size();) {
       std::size_t end = first + 1;
       while (end < all.size() && all[end].vertex == all[first].vertex) ++end;
-      if (tree_mesh_.window().is_whole() || in_core(tree_mesh_.leaf_of(all[first].vertex)))
+      if (tree_mesh_.window().is_whole() || in_core(leaf_of(all[first].vertex)))
         check_vertex({all.data() + first, end - first});
       first = end;
     }
@@ -90,8 +90,8 @@ class FaultFinder {
   }
 
   /// An edge that must not run below this vertex, and one that it is too close to.
-  [[nodiscard]] std::optional<EdgePair> too_close_at(std::span<const Above> edges) const {
-    const Cell leaf = tree_mesh_.leaf_of(edges.front().vertex);
+  [[nodiscard]] std::optional<EdgePair> too_close_at(std::span<const Above> edges) {
+    const Cell leaf = leaf_of(edges.front().vertex);
     bool in_some_grid = false;
     std::optional<EdgePair> pair;
     tree_mesh_.for_grids_with(leaf, [&](EdgeId site) {
@@ -106,12 +106,13 @@ class FaultFinder {
   // --- the window
   // ---------------------------------------------------------------------------------
 
+  /// Quads and vertices are looked at in the order of their numbers, which is depth first.
+  [[nodiscard]] Cell leaf_of(VertexId vertex) { return leaves_.leaf_at(tree_mesh_.at(vertex)); }
   [[nodiscard]] bool in_core(Cell leaf) const { return tree_mesh_.window().is_core(leaf); }
-  [[nodiscard]] bool in_core(QuadId quad) const {
+  [[nodiscard]] bool in_core(QuadId quad) {
     if (tree_mesh_.window().is_whole()) return true;
     const Quad& q = tree_mesh_.mesh().quads[quad];
-    return std::any_of(q.begin(), q.end(),
-                       [this](VertexId v) { return in_core(tree_mesh_.leaf_of(v)); });
+    return std::any_of(q.begin(), q.end(), [this](VertexId v) { return in_core(leaf_of(v)); });
   }
 
   // --- 5x5 grids ---------------------------------------------------------------------------------
@@ -128,7 +129,7 @@ class FaultFinder {
     std::vector<Cell> leaves;
     int largest = 0;
     for (const VertexId v : tree_mesh_.mesh().quads[quad]) {
-      leaves.push_back(tree_mesh_.leaf_of(v));
+      leaves.push_back(leaf_of(v));
       largest = std::max(largest, tree_mesh_.tree().side_bits(leaves.back()));
     }
     for (const Cell leaf : leaves)
@@ -138,6 +139,7 @@ class FaultFinder {
   const Domain& domain_;
   const TreeMesh& tree_mesh_;
   const CutQuads& cut_quads_;
+  LeafFinder leaves_;
   std::vector<SeparationFault> faults_;
 };
 

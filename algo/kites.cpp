@@ -92,6 +92,7 @@ class KiteSizes {
   }
 
   std::vector<Tip> settle() {
+    if (tips_.empty()) return {};
     for (const Tip& tip : tips_) check_size(tip);
     clear_of_edges();
     clear_of_kites();

@@ -306,8 +306,10 @@ TEST(Quadtree, TheLeafAtAPointHoldsIt) {
       points.push_back({root.corner.x + random.bits(root.side_bits),
                         root.corner.y + random.bits(root.side_bits)});
     for (const Quadtree::Block& block : tree.blocks()) points.push_back(block.corner);
+    LeafFinder finder(tree);
     for (const LatticePoint p : points) {
       const Cell leaf = tree.leaf_at(p);
+      EXPECT_EQ(finder.leaf_at(p), leaf);
       ASSERT_TRUE(tree.is_leaf(leaf));
       const LatticePoint corner = tree.corner(leaf);
       const std::int64_t side = std::int64_t{1} << tree.side_bits(leaf);

@@ -42,14 +42,26 @@ LatticePoint Quadtree::corner(Cell cell) const {
           low.y + (is_north(cell.quadrant) ? side : 0)};
 }
 
-Cell Quadtree::leaf_at(LatticePoint point) const {
-  for (BlockId block = 0;;) {
+Cell Quadtree::leaf_below(BlockId block, LatticePoint point) const {
+  for (;;) {
     const Block& b = blocks_[block];
     const std::int64_t half = std::int64_t{1} << (root_.side_bits - 1 - b.level);
     const Cell cell{block, quadrant(point.x >= b.corner.x + half, point.y >= b.corner.y + half)};
     if (is_leaf(cell)) return cell;
     block = content(cell);
   }
+}
+
+Cell LeafFinder::leaf_at(LatticePoint point) {
+  const auto holds = [&](const Quadtree::Block& block) {
+    const std::int64_t side = std::int64_t{1} << (tree_.root().side_bits - block.level);
+    return block.corner.x <= point.x && point.x < block.corner.x + side &&
+           block.corner.y <= point.y && point.y < block.corner.y + side;
+  };
+  while (last_ != 0 && !holds(tree_.blocks()[last_])) last_ = tree_.blocks()[last_].parent;
+  const Cell leaf = tree_.leaf_below(last_, point);
+  last_ = leaf.block;
+  return leaf;
 }
 
 BlockId Quadtree::add_block(Cell cell, LatticePoint corner, std::uint8_t level) {

@@ -142,7 +142,7 @@ class Quadtree {
 
   /// The leaf whose half-open square holds a point. Requires: inside the root.
   /// Complexity: linear in its level.
-  [[nodiscard]] Cell leaf_at(LatticePoint point) const;
+  [[nodiscard]] Cell leaf_at(LatticePoint point) const { return leaf_below(0, point); }
 
   /// Splits a leaf and whatever balance asks for. Cells that were split are appended to `changed`.
   /// Throws: TreeBudgetExceeded.
@@ -155,12 +155,28 @@ class Quadtree {
   void link(BlockId id);
   void distribute(BlockId id, std::uint32_t content);
   [[nodiscard]] bool on_root_border(BlockId block, Direction direction) const;
+  /// The leaf at a point of an internal node.
+  [[nodiscard]] Cell leaf_below(BlockId block, LatticePoint point) const;
+  friend class LeafFinder;
 
   RootSquare root_;
   std::vector<LatticePoint> points_;
   std::vector<PointId> next_point_;
   std::vector<Block> blocks_;
   std::uint64_t max_leaves_;
+};
+
+/// Quadtree::leaf_at for points that come near each other, one after the other.
+/// Complexity: of a step, linear in the levels up to a node that has both points, and down.
+class LeafFinder {
+ public:
+  /// Requires: the tree outlives it, and stays as it is.
+  explicit LeafFinder(const Quadtree& tree) : tree_(tree) {}
+  [[nodiscard]] Cell leaf_at(LatticePoint point);
+
+ private:
+  const Quadtree& tree_;
+  BlockId last_ = 0;
 };
 
 }  // namespace quadbound

@@ -10,7 +10,7 @@ namespace {
 class Assembly {
  public:
   Assembly(const Domain& domain, const TreeMesh& tree_mesh, const KeptQuads& kept)
-      : domain_(domain), tree_mesh_(tree_mesh), kept_(kept) {
+      : domain_(domain), tree_mesh_(tree_mesh), kept_(kept), leaves_(tree_mesh.tree()) {
     made_.mesh.vertices = Vertices(domain.root().exponent);
     made_.mesh.cells = tree_mesh.tree().leaf_count();
     made_.mesh.construction_names.assign(kConstructionNames.begin(), kConstructionNames.end());
@@ -120,14 +120,16 @@ class Assembly {
     return kNoVertex;
   }
 
-  [[nodiscard]] std::uint8_t level_of(VertexId v) const {
+  [[nodiscard]] std::uint8_t level_of(VertexId v) {
     const Quadtree& tree = tree_mesh_.tree();
-    return static_cast<std::uint8_t>(tree.root().side_bits - tree.side_bits(tree_mesh_.leaf_of(v)));
+    const Cell leaf = leaves_.leaf_at(tree_mesh_.at(v));
+    return static_cast<std::uint8_t>(tree.root().side_bits - tree.side_bits(leaf));
   }
 
   const Domain& domain_;
   const TreeMesh& tree_mesh_;
   const KeptQuads& kept_;
+  LeafFinder leaves_;
   DomainMesh made_;
   std::vector<VertexId> number_;                       ///< of a vertex of Q in the mesh
   std::vector<std::pair<EdgeId, std::int64_t>> feet_;  ///< edge, place along it

@@ -53,6 +53,14 @@ Rational exact_value(double value) {
   return dyadic(parts.mantissa, parts.exponent);
 }
 
+Rational exact_value(const LatticeFraction& value, int exponent) {
+  Integer numerator = value.floor;
+  numerator = numerator * value.denominator + value.remainder;
+  Integer denominator = value.denominator;
+  (exponent < 0 ? denominator : numerator) <<= static_cast<unsigned>(std::abs(exponent));
+  return {numerator, denominator};
+}
+
 RationalPoint exact_value(const Point& point) {
   return {exact_value(point.x), exact_value(point.y)};
 }

@@ -40,6 +40,18 @@ struct LatticePoint {
   friend bool operator==(const LatticePoint&, const LatticePoint&) = default;
 };
 
+/// A coordinate in units of a lattice: floor + remainder / denominator, not necessarily in lowest
+/// terms; remainder < denominator.
+struct LatticeFraction {
+  std::int64_t floor = 0;
+  std::uint64_t remainder = 0;
+  std::uint64_t denominator = 1;
+};
+struct FractionPoint {
+  LatticeFraction x;
+  LatticeFraction y;
+};
+
 inline constexpr int kLatticeBits = 60;
 inline constexpr std::int64_t kMaxLatticeCoordinate = std::int64_t{1} << kLatticeBits;
 
@@ -49,6 +61,9 @@ RationalPoint exact_value(const Point& point);
 
 /// mantissa * 2^exponent, exactly.
 Rational dyadic(std::int64_t mantissa, int exponent);
+
+/// In units of 2^exponent.
+Rational exact_value(const LatticeFraction& value, int exponent);
 
 /// value / 2^exponent rounded down to an integer, and whether nothing was cut off. nullopt where
 /// the integer lies outside [-2^60, 2^60]. Requires: std::isfinite(value).

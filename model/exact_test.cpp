@@ -128,6 +128,30 @@ TEST(Angle, BoundsIncludeTheirEndsAndNothingBeyond) {
     EXPECT_FALSE(within(flat, kTheorem13));
 }
 
+TEST(Vertices, KeepTheExactValueOfFractions) {
+  for (const int exponent : {-4, 0, 3}) {
+    Vertices vertices(exponent);
+    const Rational unit = dyadic(1, exponent);
+    // -7/3 units, which is not in lowest terms here, and a whole number.
+    const VertexId v = vertices.add_fraction({{-3, 4, 6}, {5}});
+    const RationalPoint exact{Rational(-7, 3) * unit, 5 * unit};
+    ASSERT_NE(vertices.fraction(v), nullptr);
+    EXPECT_FALSE(vertices.on_lattice(v));
+    EXPECT_EQ(vertices.exact(v), exact);
+    EXPECT_EQ(vertices.rounded(v), (Point{nearest_double(exact.x), nearest_double(exact.y)}));
+    EXPECT_EQ(vertices.off_lattice_count(), 1U);
+    // Moved: off the lattice as rationals, and onto it.
+    const VertexId w = vertices.add_fraction({{0, 1, 3}, {0}});
+    const RationalPoint there{Rational(1, 5) * unit, unit};
+    vertices.move_to_exact(v, there);
+    EXPECT_EQ(vertices.fraction(v), nullptr);
+    EXPECT_EQ(vertices.exact(v), there);
+    vertices.move_to_exact(w, {unit, unit});
+    EXPECT_EQ(vertices.lattice(w), (LatticePoint{1, 1}));
+    EXPECT_EQ(vertices.fraction(w), nullptr);
+  }
+}
+
 TEST(Vertices, KeepTheExactValueOnAndOffTheLattice) {
   Vertices vertices(-4);
   const RationalPoint third{Rational(1, 3), Rational(1, 16)};

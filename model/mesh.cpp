@@ -11,15 +11,15 @@ LatticePoint Vertices::encode(const RationalPoint& point) {
   const auto x = lattice_floor(point.x, exponent_);
   const auto y = lattice_floor(point.y, exponent_);
   if (x && y && x->exact && y->exact) return {x->floor, y->floor};
-  off_lattice_.push_back(point);
-  return {kElsewhere, static_cast<std::int64_t>(off_lattice_.size() - 1)};
+  rationals_.push_back(point);
+  return {kElsewhere, static_cast<std::int64_t>(rationals_.size() - 1)};
 }
 
 VertexId Vertices::add_exact(const RationalPoint& point) { return add(encode(point)); }
 
-VertexId Vertices::add_off_lattice(RationalPoint point) {
-  off_lattice_.push_back(std::move(point));
-  return add({kElsewhere, static_cast<std::int64_t>(off_lattice_.size() - 1)});
+VertexId Vertices::add_fraction(const FractionPoint& point) {
+  fractions_.push_back(point);
+  return add({kElsewhere, -static_cast<std::int64_t>(fractions_.size())});
 }
 
 VertexId Vertices::add_double(const Point& point) {
@@ -30,31 +30,33 @@ VertexId Vertices::add_double(const Point& point) {
 }
 
 void Vertices::move_to_exact(VertexId vertex, const RationalPoint& point) {
-  if (on_lattice(vertex)) {
+  const LatticePoint before = entries_[vertex];
+  if (on_lattice(vertex) || before.y < 0) {
     entries_[vertex] = encode(point);
     return;
   }
-  const std::int64_t slot = entries_[vertex].y;
   const auto x = lattice_floor(point.x, exponent_);
   const auto y = lattice_floor(point.y, exponent_);
   if (x && y && x->exact && y->exact) {
     entries_[vertex] = {x->floor, y->floor};
   } else {
-    off_lattice_[static_cast<std::size_t>(slot)] = point;
+    rationals_[index_of(before)] = point;
   }
 }
 
 RationalPoint Vertices::exact(VertexId vertex) const {
   const LatticePoint entry = entries_[vertex];
-  if (!on_lattice(vertex)) return off_lattice_[static_cast<std::size_t>(entry.y)];
-  return {dyadic(entry.x, exponent_), dyadic(entry.y, exponent_)};
+  if (on_lattice(vertex)) return {dyadic(entry.x, exponent_), dyadic(entry.y, exponent_)};
+  if (const FractionPoint* point = fraction(vertex))
+    return {exact_value(point->x, exponent_), exact_value(point->y, exponent_)};
+  return rationals_[index_of(entry)];
 }
 
 Point Vertices::rounded(VertexId vertex) const {
   const LatticePoint entry = entries_[vertex];
   if (on_lattice(vertex))
     return {nearest_double(entry.x, exponent_), nearest_double(entry.y, exponent_)};
-  const RationalPoint& point = off_lattice_[static_cast<std::size_t>(entry.y)];
+  const RationalPoint point = exact(vertex);
   return {nearest_double(point.x), nearest_double(point.y)};
 }
 

@@ -10,13 +10,27 @@ namespace {
 
 static_assert(std::numeric_limits<unsigned long>::digits == 64, "GMP takes 64 bits at a time");
 
+/// Requires: small, see is_small.
+Fixed to_fixed(const LatticeFraction& fraction) {
+  const UInt128 rest = static_cast<UInt128>(fraction.remainder) << Fixed::kBits;
+  const UInt128 bits = rest / fraction.denominator;
+  return {judge::to_fixed(fraction.floor).value + static_cast<Int128>(bits),
+          bits * fraction.denominator == rest};
+}
+
+/// What the table promises of a fraction. Who made the mesh need not have.
+bool is_small(const LatticeFraction& fraction) {
+  return -kMaxLatticeCoordinate <= fraction.floor && fraction.floor <= kMaxLatticeCoordinate &&
+         fraction.remainder < fraction.denominator && fraction.denominator < std::uint64_t{1} << 62;
+}
+
 /// Divides rationals by the unit of the lattice; keeps its memory from one to the next.
 class Divider {
  public:
   explicit Divider(int exponent) : exponent_(exponent) {}
 
   /// nullopt where the coordinate is beyond 2^60 units. The value is used up.
-  std::optional<Fixed> divide(Rational& value, Fraction& fraction) {
+  std::optional<Fixed> divide(Rational& value, LatticeFraction& fraction) {
     mpz_ptr numerator = mpq_numref(value.backend().data());
     mpz_ptr denominator = mpq_denref(value.backend().data());
     if (exponent_ > 0) {
@@ -37,15 +51,12 @@ class Divider {
   }
 
   static std::optional<Fixed> divide_short(mpz_ptr numerator, mpz_srcptr denominator,
-                                           Fraction& fraction) {
+                                           LatticeFraction& fraction) {
     fraction.denominator = mpz_get_ui(denominator);
     fraction.remainder = mpz_fdiv_q_ui(numerator, numerator, fraction.denominator);
     if (mpz_cmpabs_ui(numerator, std::uint64_t{1} << kLatticeBits) > 0) return std::nullopt;
     fraction.floor = mpz_get_si(numerator);
-    const UInt128 rest = static_cast<UInt128>(fraction.remainder) << Fixed::kBits;
-    const UInt128 bits = rest / fraction.denominator;
-    return Fixed{to_fixed(fraction.floor).value + static_cast<Int128>(bits),
-                 bits * fraction.denominator == rest};
+    return to_fixed(fraction);
   }
 
   std::optional<Fixed> divide_long(mpz_ptr numerator, mpz_srcptr denominator) {
@@ -66,22 +77,29 @@ class Divider {
 }  // namespace
 
 OffLattice::OffLattice(const Vertices& vertices, const Threads& threads) {
+  constexpr FractionPoint kNoFractions{{0, 0, 0}, {0, 0, 0}};
   std::vector<VertexId> ids;
   for (VertexId v = 0; v < vertices.size(); ++v)
     if (!vertices.on_lattice(v)) ids.push_back(v);
   if (ids.empty()) return;
   slots_.resize(vertices.size(), kNone);
   points_.resize(ids.size());
-  fractions_.resize(ids.size());
+  fractions_.resize(ids.size(), kNoFractions);
   threads.for_each((ids.size() + kChunk - 1) / kChunk, [&](std::size_t chunk) {
     Divider divider(vertices.exponent());
     const std::size_t end = std::min(ids.size(), (chunk + 1) * kChunk);
     for (std::size_t i = chunk * kChunk; i < end; ++i) {
-      RationalPoint exact = vertices.exact(ids[i]);
-      const auto x = divider.divide(exact.x, fractions_[i].x);
-      const auto y = divider.divide(exact.y, fractions_[i].y);
-      if (!x || !y) continue;
-      points_[i] = {*x, *y};
+      const FractionPoint* kept = vertices.fraction(ids[i]);
+      if (kept != nullptr && is_small(kept->x) && is_small(kept->y)) {
+        fractions_[i] = *kept;
+        points_[i] = {to_fixed(kept->x), to_fixed(kept->y)};
+      } else {
+        RationalPoint exact = vertices.exact(ids[i]);
+        const auto x = divider.divide(exact.x, fractions_[i].x);
+        const auto y = divider.divide(exact.y, fractions_[i].y);
+        if (!x || !y) continue;
+        points_[i] = {*x, *y};
+      }
       slots_[ids[i]] = static_cast<std::uint32_t>(i);
     }
   });

@@ -44,19 +44,11 @@ inline std::optional<int> sign_of_difference(const Fixed& a, const Fixed& b) {
   return std::nullopt;
 }
 
-/// A coordinate in units of the lattice: floor + remainder / denominator, not necessarily in lowest
-/// terms. remainder < denominator < 2^62; denominator = 0 where there is no such denominator.
-struct Fraction {
-  std::int64_t floor = 0;
-  std::uint64_t remainder = 0;
-  std::uint64_t denominator = 0;
-};
-
-/// Guarantees: 1. find and fraction are those of the exact position. 2. find is nullptr where the
+/// Guarantees: 1. find and fractions are those of the exact position. 2. find is nullptr where the
 /// vertex is on the lattice, within its bounds or beyond, and where a coordinate is beyond 2^60
 /// units and a fraction.
-/// Complexity: one division of long integers per coordinate; 116 bytes per vertex off the lattice
-/// and 4 per vertex; nothing where all are on the lattice.
+/// Complexity: one division per coordinate, of long integers where the mesh keeps rationals; 116
+/// bytes per vertex off the lattice and 4 per vertex; nothing where all are on the lattice.
 class OffLattice {
  public:
   OffLattice(const Vertices& vertices, const Threads& threads);
@@ -66,19 +58,16 @@ class OffLattice {
     return &points_[slots_[v]];
   }
 
-  struct Fractions {
-    Fraction x;
-    Fraction y;
-  };
+  /// With denominators below 2^62, and 0 where there is no such denominator.
   /// Requires: find(v) != nullptr.
-  [[nodiscard]] const Fractions& fractions(VertexId v) const { return fractions_[slots_[v]]; }
+  [[nodiscard]] const FractionPoint& fractions(VertexId v) const { return fractions_[slots_[v]]; }
 
  private:
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
   std::vector<std::uint32_t> slots_;  ///< by vertex
   std::vector<FixedPoint> points_;
-  std::vector<Fractions> fractions_;
+  std::vector<FractionPoint> fractions_;
 };
 
 }  // namespace quadbound::judge

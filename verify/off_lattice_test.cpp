@@ -47,7 +47,7 @@ void expect_encloses(const Fixed& fixed, const Rational& exact) {
   EXPECT_EQ(fixed.is_exact, value == exact);
 }
 
-void expect_equal(const Fraction& fraction, const Rational& exact, bool& is_long) {
+void expect_equal(const LatticeFraction& fraction, const Rational& exact, bool& is_long) {
   is_long |= fraction.denominator == 0;
   if (fraction.denominator == 0) return;
   EXPECT_LT(fraction.remainder, fraction.denominator);
@@ -81,6 +81,32 @@ TEST(OffLattice, EnclosesEveryCoordinate) {
     }
     EXPECT_GT(found, 1000);
     EXPECT_TRUE(is_long);
+  }
+}
+
+TEST(OffLattice, TakesFractionsAsTheyAre) {
+  Random random(4);
+  for (const int exponent : {-80, 0, 5}) {
+    Vertices vertices(exponent);
+    const Rational unit = dyadic(1, exponent);
+    for (int i = 0; i < 2000; ++i) {
+      const std::uint64_t denominator = (random() >> (2 + random() % 60)) | 2U;
+      const LatticeFraction x{static_cast<std::int64_t>(random() >> 4) - (1LL << 59),
+                              1 + random() % (denominator - 1), denominator};
+      const LatticeFraction y{static_cast<std::int64_t>(random() % 3) - 1};
+      vertices.add_fraction(i % 2 == 0 ? FractionPoint{x, y} : FractionPoint{y, x});
+    }
+    const OffLattice table(vertices, kOne);
+    bool is_long = false;
+    for (VertexId v = 0; v < vertices.size(); ++v) {
+      const RationalPoint exact = vertices.exact(v);
+      ASSERT_NE(table.find(v), nullptr);
+      expect_encloses(table.find(v)->x, exact.x / unit);
+      expect_encloses(table.find(v)->y, exact.y / unit);
+      expect_equal(table.fractions(v).x, exact.x / unit, is_long);
+      expect_equal(table.fractions(v).y, exact.y / unit, is_long);
+    }
+    EXPECT_FALSE(is_long);
   }
 }
 

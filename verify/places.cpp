@@ -5,7 +5,7 @@
 #include <atomic>
 #include <bit>
 #include <map>
-#include <set>
+#include <utility>
 
 namespace quadbound::judge {
 namespace {
@@ -155,24 +155,41 @@ class PointIndex {
   std::vector<std::uint32_t> same_as_;  ///< the first point at the same position
 };
 
+/// The same among vertices off the lattice, which are ascending.
+std::optional<CoincidentVertices> find_coincident(const ByPosition& less,
+                                                  std::vector<VertexId> vertices) {
+  std::stable_sort(vertices.begin(), vertices.end(), less);
+  std::optional<CoincidentVertices> found;
+  for (std::size_t i = 1, first = 0; i < vertices.size(); ++i) {
+    if (less(vertices[first], vertices[i])) {
+      first = i;
+    } else if (!found || vertices[i] < found->second) {
+      found = {vertices[first], vertices[i]};
+    }
+  }
+  return found;
+}
+
 }  // namespace
 
 std::optional<CoincidentVertices> find_coincident(const ExactPlane& plane,
                                                   const CornersByVertex& corners) {
   LatticeTable table(corners.vertices(), 2);
-  std::set<VertexId, ByPosition> others{ByPosition(plane)};
-  for (VertexId v = 0; v < corners.vertices(); ++v) {
+  std::vector<VertexId> others;
+  std::optional<CoincidentVertices> on_lattice;
+  for (VertexId v = 0; v < corners.vertices() && !on_lattice; ++v) {
     if (!corners.is_used(v)) continue;
-    if (plane.on_lattice(v)) {
-      const auto earlier =
-          table.insert(plane.lattice(v), v, [&](VertexId w) { return plane.lattice(w); });
-      if (earlier != LatticeTable::kNone) return {{earlier, v}};
-    } else {
-      const auto [it, is_new] = others.insert(v);
-      if (!is_new) return {{*it, v}};
+    if (!plane.on_lattice(v)) {
+      others.push_back(v);
+      continue;
     }
+    const auto earlier =
+        table.insert(plane.lattice(v), v, [&](VertexId w) { return plane.lattice(w); });
+    if (earlier != LatticeTable::kNone) on_lattice = {earlier, v};
   }
-  return std::nullopt;
+  // All those before the one that was found, if any.
+  const auto off_lattice = find_coincident(ByPosition(plane), std::move(others));
+  return off_lattice ? off_lattice : on_lattice;
 }
 
 LostPoints find_lost_points(const ExactPlane& plane, int exponent, const CornersByVertex& corners,

@@ -27,7 +27,7 @@ class LatticeEdge {
 
   /// Whether the point is on its line; nullopt where 128 bits are too few to tell.
   [[nodiscard]] std::optional<bool> holds(LatticePoint p) const { return cross(p.x, p.y) == 0; }
-  [[nodiscard]] std::optional<bool> holds(const OffLattice::Fractions& p) const {
+  [[nodiscard]] std::optional<bool> holds(const FractionPoint& p) const {
     if (p.x.denominator == 0 || p.y.denominator == 0) return std::nullopt;
     const Int128 floors = cross(p.x.floor, p.y.floor);
     if (p.x.remainder == 0) return is_fraction(p.y, dx_, -floors);
@@ -51,7 +51,7 @@ class LatticeEdge {
   }
   /// Whether length * remainder / denominator = value. The left side is at most |length| <= 2^61,
   /// so that all products stay below 2^124.
-  static bool is_fraction(const Fraction& fraction, std::int64_t length, Int128 value) {
+  static bool is_fraction(const LatticeFraction& fraction, std::int64_t length, Int128 value) {
     constexpr Int128 kLargest = Int128{1} << (kLatticeBits + 1);
     if (value < -kLargest || value > kLargest) return false;
     return static_cast<Int128>(length) * static_cast<Int128>(fraction.remainder) ==
