@@ -143,7 +143,7 @@ class Comparison {
       if (largest && smaller_angle(worst, m.largest_at_points)) worst = m.largest_at_points;
       if (!largest && smaller_angle(m.smallest_at_points, worst)) worst = m.smallest_at_points;
     }
-    const std::string text = fmt::format("{:.2f}", degrees(worst));
+    std::string text = fmt::format("{:.2f}", degrees(worst));
     if (!largest) return text;
     return fmt::format("{}; {} corners beyond 153.43 in {} sets", text, beyond, r_.warped.size());
   }

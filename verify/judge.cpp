@@ -185,15 +185,11 @@ void Judge::judge_strictly_convex() {
     claim.worst = judged(plane_, *survey_.first_not_convex);
   }
   claim.stored.emplace();
-  if (infinite_vertex_) {
-    claim.stored->verdict = StoredVerdict::fails;
-  } else if (stored_survey_) {
-    if (stored_survey_->not_convex == 0) return;
-    claim.stored->verdict = StoredVerdict::fails;
-    claim.stored->worst = judged(stored_plane_, *stored_survey_->first_not_convex);
-  } else if (survey_.not_convex != 0) {
-    claim.stored->verdict = StoredVerdict::fails;
-  }
+  const Survey& rounded = stored_survey_ ? *stored_survey_ : survey_;
+  if (!infinite_vertex_ && rounded.not_convex == 0) return;
+  claim.stored->verdict = StoredVerdict::fails;
+  if (!infinite_vertex_ && stored_survey_)
+    claim.stored->worst = judged(stored_plane_, *rounded.first_not_convex);
 }
 
 void Judge::describe_crossing(Claim& claim) const {
