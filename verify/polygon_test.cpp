@@ -25,7 +25,7 @@ Names with_verdict(const Report& report, Verdict verdict) {
 /// Judges a mesh of which exactly these claims must fail and these others be undecided.
 Report expect(const Case& made, const Names& failing, const Names& undecided = {}) {
   EXPECT_NO_THROW(validate(made.polygon)) << made.name;
-  const Report report = verify_polygon(made.polygon, made.mesh);
+  Report report = verify_polygon(made.polygon, made.mesh);
   EXPECT_EQ(with_verdict(report, Verdict::fails), failing) << made.name << "\n" << to_text(report);
   EXPECT_EQ(with_verdict(report, Verdict::not_decided), undecided) << made.name << "\n"
                                                                    << to_text(report);

@@ -25,7 +25,7 @@ Names with_verdict(const Report& report, Verdict verdict) {
 
 /// Judges a mesh of which exactly these claims must fail and these others be undecided.
 Report expect(const Case& made, const Names& failing, const Names& undecided = {}) {
-  const Report report = verify_points(made.points, made.mesh);
+  Report report = verify_points(made.points, made.mesh);
   EXPECT_EQ(with_verdict(report, Verdict::fails), failing) << made.name << "\n" << to_text(report);
   EXPECT_EQ(with_verdict(report, Verdict::not_decided), undecided) << made.name << "\n"
                                                                    << to_text(report);
@@ -149,6 +149,20 @@ TEST(DistinctVertices, SlitIsFound) {
       expect(made, {"distinct-vertices", "one-boundary", "euler"}, {"no-overlap"});
   EXPECT_EQ(report.find("distinct-vertices")->detail, "vertices 7 and 15 are at one place");
   EXPECT_EQ(report.find("one-boundary")->place->vertex, 6U);
+}
+
+TEST(DistinctVertices, SlitBetweenVerticesOffTheLatticeIsFound) {
+  // The same, with 7 and its double a third to the right, once as rationals and once as fractions.
+  Case made = square_grid(4, 2);
+  const RationalPoint at = made.mesh.vertices.exact(7);
+  made.mesh.vertices.move_to_exact(7, {at.x + Rational(1, 3), at.y});
+  const VertexId second = made.mesh.vertices.add_fraction({{2, 2, 6}, {1}});
+  ASSERT_EQ(made.mesh.vertices.exact(second), made.mesh.vertices.exact(7));
+  made.mesh.quads[5][1] = second;
+  made.mesh.quads[6][0] = second;
+  const Report report =
+      expect(made, {"distinct-vertices", "one-boundary", "euler"}, {"no-overlap"});
+  EXPECT_EQ(report.find("distinct-vertices")->detail, "vertices 7 and 15 are at one place");
 }
 
 TEST(DistinctVertices, TwoVerticesAtOnePlaceOnTheBoundaryAreFound) {
