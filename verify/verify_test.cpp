@@ -152,12 +152,12 @@ TEST(DistinctVertices, SlitIsFound) {
 }
 
 TEST(DistinctVertices, SlitBetweenVerticesOffTheLatticeIsFound) {
-  // The same, with 7 and its double a third to the right, once as rationals and once as fractions.
+  // The same, with 7 and its double a third of a unit to the right, once as rationals and once as
+  // fractions.
   Case made = square_grid(4, 2);
-  const RationalPoint at = made.mesh.vertices.exact(7);
-  made.mesh.vertices.move_to_exact(7, {at.x + Rational(1, 3), at.y});
-  const VertexId second = made.mesh.vertices.add_fraction({{2, 2, 6}, {1}});
-  ASSERT_EQ(made.mesh.vertices.exact(second), made.mesh.vertices.exact(7));
+  const LatticePoint at = made.mesh.vertices.lattice(7);
+  const VertexId second = made.mesh.vertices.add_fraction({{at.x, 2, 6}, {at.y}});
+  made.mesh.vertices.move_to_exact(7, made.mesh.vertices.exact(second));
   made.mesh.quads[5][1] = second;
   made.mesh.quads[6][0] = second;
   const Report report =
