@@ -131,6 +131,7 @@ void expect_agreement_on_mutants(Subject subject, std::uint64_t seed, int mutant
   Random random(seed);
   const std::vector<Case> bases = bases_for(subject, seed);
   std::vector<std::map<std::string, std::string>> sound;
+  sound.reserve(bases.size());
   for (const Case& base : bases) sound.push_back(expect_agreement(subject, base));
   Tally tally;
   for (const Mutation& mutation : mutations_for(subject)) {

@@ -47,9 +47,9 @@ std::vector<NaiveCorner> corners_of(const Mesh& mesh, const Locations& p) {
   for (std::uint64_t q = 0; q < mesh.quads.size(); ++q) {
     for (std::size_t i = 0; i < 4; ++i) {
       const Quad& quad = mesh.quads[q];
-      const Location at = p[quad[i]];
-      const Location next = p[quad[(i + 1) % 4]];
-      const Location previous = p[quad[(i + 3) % 4]];
+      const Location& at = p[quad[i]];
+      const Location& next = p[quad[(i + 1) % 4]];
+      const Location& previous = p[quad[(i + 3) % 4]];
       const auto u = next - at;
       const auto v = previous - at;
       corners.push_back(
