@@ -293,23 +293,28 @@ std::vector<PaperClaim> compare_with_paper(const Reproduction& reproduction) {
   return Comparison(reproduction).run();
 }
 
-std::string verdict_text(const PaperClaim& claim) {
-  const std::string why = claim.why.empty() ? "" : ": " + claim.why;
-  switch (claim.verdict) {
+std::string_view verdict_name(PaperVerdict verdict) {
+  switch (verdict) {
     case PaperVerdict::kHolds:
-      return "holds" + why;
+      return "holds";
     case PaperVerdict::kHoldsAfterRepair:
-      return "holds after a repair" + why;
+      return "holds after a repair";
     case PaperVerdict::kOwnPolygon:
-      return "reproduced on our own polygon of the same kind" + why;
+      return "reproduced on our own polygon of the same kind";
     case PaperVerdict::kNotReproducible:
-      return "not reproducible" + why;
+      return "not reproducible";
     case PaperVerdict::kDiffers:
-      return "differs" + why;
+      return "differs";
     case PaperVerdict::kFails:
       break;
   }
   return "FAILS";
+}
+
+std::string verdict_text(const PaperClaim& claim) {
+  const std::string name(verdict_name(claim.verdict));
+  const bool has_reason = !claim.why.empty() && claim.verdict != PaperVerdict::kFails;
+  return has_reason ? name + ": " + claim.why : name;
 }
 
 std::string_view grid_name(GridRefinement refinement) {

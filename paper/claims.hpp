@@ -32,6 +32,9 @@ struct PaperClaim {
 /// 2. kFails exactly where something that we claim to hold does not.
 std::vector<PaperClaim> compare_with_paper(const Reproduction& reproduction);
 
+/// "holds", "differs", ...
+std::string_view verdict_name(PaperVerdict verdict);
+/// The name, and after a colon the reason where there is one.
 std::string verdict_text(const PaperClaim& claim);
 std::string_view grid_name(GridRefinement refinement);
 

@@ -6,9 +6,8 @@
 #include <cstdint>
 
 namespace quadbound {
-namespace {
 
-std::string escaped(const std::string& text) {
+std::string escaped_html(const std::string& text) {
   std::string result;
   for (const char c : text) {
     switch (c) {
@@ -31,11 +30,10 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-/// Escaped, and with what stands between backquotes as code.
 std::string inline_html(const std::string& text) {
   std::string result;
   bool open = false;
-  for (const char c : escaped(text)) {
+  for (const char c : escaped_html(text)) {
     if (c != '`') {
       result += c;
       continue;
@@ -44,6 +42,13 @@ std::string inline_html(const std::string& text) {
     open = !open;
   }
   return result;
+}
+
+namespace {
+
+/// "figure-fig-46" for fig-46.svg.
+std::string anchor_of(const DocumentPicture& picture) {
+  return "figure-" + picture.file.substr(0, picture.file.rfind('.'));
 }
 
 struct MarkdownWriter {
@@ -63,6 +68,9 @@ struct MarkdownWriter {
     out += "\n";
   }
   void operator()(const DocumentPicture& p) { out += fmt::format("![{}]({})\n\n", p.text, p.file); }
+  void operator()(const PageBlock& block) {
+    for (const auto& part : block.markdown) std::visit(*this, part);
+  }
 
  private:
   /// A bar inside a cell ("stitch 1|4") would end it.
@@ -82,30 +90,44 @@ struct HtmlWriter {
   std::string out;
 
   void operator()(const Heading& h) {
-    out += fmt::format("<h{0}>{1}</h{0}>\n", h.level, inline_html(h.text));
+    const std::string id = h.anchor.empty() ? "" : fmt::format(" id=\"{}\"", h.anchor);
+    out += fmt::format("<h{0}{1}>{2}</h{0}>\n", h.level, id, inline_html(h.text));
+    if (!h.claims.empty()) out += "<p class=\"links\">" + links_to(h.claims) + "</p>\n";
   }
   void operator()(const Paragraph& p) { out += "<p>" + inline_html(p.text) + "</p>\n"; }
-  void operator()(const CodeBlock& c) { out += "<pre>" + escaped(c.text) + "</pre>\n"; }
+  void operator()(const CodeBlock& c) { out += "<pre>" + escaped_html(c.text) + "</pre>\n"; }
   void operator()(const TextTable& table) {
-    out += "<div class=\"wide\"><table>\n";
+    out += "<div class=\"wide\"><table>\n<thead>";
     row("th", table.head);
+    out += "</thead>\n<tbody>\n";
     for (const auto& cells : table.rows) row("td", cells);
-    out += "</table></div>\n";
+    out += "</tbody></table></div>\n";
   }
   void operator()(const DocumentPicture& p) {
     const bool is_svg = p.file.ends_with(".svg");
-    out += "<figure>";
+    out += fmt::format("<figure id=\"{}\">", anchor_of(p));
     out += is_svg ? inline_svg(p.data)
                   : fmt::format("<img alt=\"{}\" src=\"data:image/png;base64,{}\">",
-                                escaped(p.text), base64(p.data));
-    out += "<figcaption>" + inline_html(p.text) + "</figcaption></figure>\n";
+                                escaped_html(p.text), base64(p.data));
+    out += "<figcaption>" + inline_html(p.text);
+    if (!p.claims.empty()) out += " " + links_to(p.claims) + ".";
+    if (!p.view.empty())
+      out +=
+          fmt::format(" <a class=\"to-viewer\" href=\"#view-{}\">Open in the viewer</a>", p.view);
+    out += "</figcaption></figure>\n";
   }
+  void operator()(const PageBlock& block) { out += block.html; }
 
  private:
   /// Without the XML declaration, which HTML does not know.
   static std::string inline_svg(const std::string& data) {
     const std::size_t start = data.find("<svg");
     return start == std::string::npos ? std::string() : data.substr(start);
+  }
+  static std::string links_to(const std::vector<std::string>& claims) {
+    std::string text = claims.size() == 1 ? "Claim" : "Claims";
+    for (const std::string& id : claims) text += fmt::format(" <a href=\"#{0}\">{0}</a>", id);
+    return text;
   }
   void row(const char* tag, const std::vector<std::string>& cells) {
     out += "<tr>";
@@ -115,26 +137,33 @@ struct HtmlWriter {
   }
 };
 
+/// The first words of a heading.
+std::string short_text(const Heading& heading) {
+  const std::string text = heading.text.substr(0, heading.text.find_first_of(",("));
+  return text.substr(0, text.find_last_not_of(' ') + 1);
+}
+
+/// Links to the sections.
+std::string menu_of(const Document& document) {
+  std::string menu = "<nav>";
+  for (const Block& block : document) {
+    const auto* const heading = std::get_if<Heading>(&block);
+    if (heading == nullptr || heading->level != 2 || heading->anchor.empty()) continue;
+    menu +=
+        fmt::format("<a href=\"#{}\">{}</a> ", heading->anchor, inline_html(short_text(*heading)));
+  }
+  return menu + "</nav>\n";
+}
+
 constexpr const char* kHtmlStart = R"(<!DOCTYPE html>
 <html lang="en">
 <head>
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1">
+<link rel="icon" href="data:,">
 <title>{}</title>
 <style>
-body {{ font: 16px/1.5 system-ui, sans-serif; max-width: 60rem; margin: 0 auto; padding: 1rem;
-       color: #222; background: #fff; }}
-h1 {{ font-size: 1.5rem; }} h2 {{ font-size: 1.2rem; margin-top: 2rem; }} h3 {{ font-size: 1rem; }}
-.wide {{ overflow-x: auto; }}
-table {{ border-collapse: collapse; font-size: 0.85rem; }}
-th, td {{ border: 1px solid #ccc; padding: 0.25rem 0.5rem; text-align: left; vertical-align: top; }}
-th {{ background: #f2f2f2; }}
-td:first-child {{ white-space: nowrap; }} td {{ min-width: 4rem; }}
-td:nth-child(5):last-child {{ min-width: 16rem; }}
-figure {{ margin: 1rem 0; }} figure img, figure svg {{ width: 100%; height: auto; }}
-figcaption {{ font-size: 0.85rem; color: #555; }}
-pre {{ overflow-x: auto; background: #f6f6f6; padding: 0.5rem; font-size: 0.85rem; }}
-</style>
+{}</style>
 </head>
 <body>
 )";
@@ -162,10 +191,34 @@ std::string to_markdown(const Document& document) {
   return std::move(writer.out);
 }
 
-std::string to_html(const Document& document, const std::string& title) {
+std::string to_html(const Document& document) {
   HtmlWriter writer;
   for (const Block& block : document) std::visit(writer, block);
-  return fmt::format(kHtmlStart, escaped(title)) + writer.out + "</body>\n</html>\n";
+  return std::move(writer.out);
+}
+
+std::string to_html(const Document& document, const PageFrame& frame) {
+  const std::string script =
+      frame.script.empty() ? "" : "<script>\n" + frame.script + "</script>\n";
+  return fmt::format(kHtmlStart, escaped_html(frame.title), frame.style) + menu_of(document) +
+         to_html(document) + script + "</body>\n</html>\n";
+}
+
+std::vector<ClaimLink> claim_links(const Document& document) {
+  std::vector<ClaimLink> links;
+  const auto add = [&](const std::vector<std::string>& claims, const std::string& address,
+                       const std::string& text) {
+    for (const std::string& id : claims) links.push_back({id, address, text});
+  };
+  for (const Block& block : document) {
+    if (const auto* const heading = std::get_if<Heading>(&block))
+      add(heading->claims, "#" + heading->anchor, short_text(*heading));
+    const auto* const picture = std::get_if<DocumentPicture>(&block);
+    if (picture == nullptr) continue;
+    add(picture->claims, "#" + anchor_of(*picture), "figure");
+    if (!picture->view.empty()) add(picture->claims, "#view-" + picture->view, "mesh");
+  }
+  return links;
 }
 
 }  // namespace quadbound

@@ -11,6 +11,8 @@
 #include "model/picture.hpp"
 #include "paper/chart.hpp"
 #include "paper/commit.hpp"
+#include "paper/records.hpp"
+#include "paper/report_page.hpp"
 #include "paper/reproduction_files.hpp"
 
 namespace quadbound {
@@ -104,7 +106,7 @@ DocumentPicture write_polygon_picture(const ResultFolder& folder, const std::str
   std::ostringstream pdf;
   write_pdf(pdf, mesh, options);
   folder.write(name + ".pdf", pdf.str());
-  return {name + ".svg", caption, svg.str()};
+  return {name + ".svg", caption, svg.str(), {}, name};
 }
 
 std::vector<DocumentPicture> write_polygon_pictures(const ResultFolder& folder,
@@ -113,6 +115,7 @@ std::vector<DocumentPicture> write_polygon_pictures(const ResultFolder& folder,
   const auto add = [&](const char* name, const std::string& caption, const Mesh& mesh,
                        const PictureOptions& options) {
     pictures.push_back(write_polygon_picture(folder, name, name + (": " + caption), mesh, options));
+    if (pictures.back().file.starts_with("fig-")) pictures.back().claims = {name};
   };
   const JudgedPolygonMesh& blob = r.polygon("fig-46");
   const JudgedPolygonMesh& lake = r.polygon("fig-50");
@@ -145,6 +148,32 @@ std::vector<DocumentPicture> write_polygon_pictures(const ResultFolder& folder,
   return pictures;
 }
 
+/// The meshes of the figures, and the parts of them that figures magnify.
+void add_viewer(ReportPictures& pictures, const Reproduction& r) {
+  const auto add = [&](const std::string& id, const std::string& text, const Mesh& mesh,
+                       const Report& report, const std::vector<Point>& input) {
+    pictures.meshes.push_back({id, viewer_mesh_json(mesh, report, input)});
+    pictures.views.push_back({id, text, id, {}});
+  };
+  const auto add_polygon = [&](const std::string& id, const std::string& text) {
+    const JudgedPolygonMesh& judged = r.polygon(id);
+    add(id, text, judged.mesh, judged.report, vertices_of(judged.polygon));
+  };
+  add_polygon("plate", "a plate with a round hole");
+  add_polygon("fig-46", "a polygon with a hole");
+  add("fig-47", "its vertices, by Theorem 1", r.fig_47->mesh, r.fig_47->report,
+      vertices_of(r.polygon("fig-46").polygon));
+  pictures.views.push_back(
+      {"fig-48", "before edges and corners (see the colour construction)", "fig-46", {}});
+  add_polygon("fig-49", "a spiral");
+  add_polygon("fig-50", "Lake Superior");
+  for (const Zoom& zoom : kZooms)
+    pictures.views.push_back({zoom.id, zoom.where, "fig-50", zoom.window});
+  add("fig-10", "the points of Lake Superior, by Theorem 1", r.lake->mesh, r.lake->report,
+      r.lake_points.points);
+  pictures.views.push_back({"fig-10-magnified", "Isle Royale", "fig-10", kMagnified});
+}
+
 ReportPictures write_all_pictures(const ResultFolder& folder, const Reproduction& r) {
   ReportPictures pictures;
   PictureOptions whole;
@@ -158,6 +187,7 @@ ReportPictures write_all_pictures(const ResultFolder& folder, const Reproduction
   pictures.polygons = write_polygon_pictures(folder, r);
   pictures.chart = cells_per_point_chart(r);
   folder.write("n-against-N.svg", pictures.chart);
+  add_viewer(pictures, r);
   return pictures;
 }
 
@@ -174,9 +204,11 @@ ReproduceResult reproduce(const ReproduceOptions& options, Watcher& watcher) {
   folder.write("n-against-N.csv", n_against_n_csv(r));
   folder.write("reproduction.json", reproduction_json(r, provenance));
   folder.write("machine.json", machine_json(r));
-  const Document report = reproduction_report(r, provenance, write_all_pictures(folder, r));
+  const fs::path records = fs::path(options.measure.data).lexically_normal() / "../../results";
+  const Document report = reproduction_report(r, provenance, write_all_pictures(folder, r),
+                                              records_block(records.lexically_normal().string()));
   folder.write("reproduction.md", to_markdown(report));
-  folder.write("reproduction.html", to_html(report, "The paper, reproduced"));
+  folder.write("reproduction.html", to_html(report, report_frame("The paper, reproduced")));
   return {r.holds(), compare_with_paper(r), folder.file("reproduction.html")};
 }
 

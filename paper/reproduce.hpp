@@ -25,7 +25,8 @@ struct ReproduceResult {
 
 /// Files: fig-10-whole and fig-10-magnified (.svg, .png), fig-46 to fig-53 and plate (.svg, .pdf),
 /// fig-10, fig-46, fig-49, fig-50, plate -report.json, n-against-N (.csv, .svg), reproduction
-/// (.json, .md, .html), machine.json.
+/// (.json, .md, .html), machine.json. The page has the viewer's meshes, and the records of results/
+/// beside the data's paper/ where there are some.
 ///
 /// Guarantees: 1. the same options and data give the same bytes in every file but machine.json, on
 /// machines with the same graphics library. 2. Each file is written whole or not at all.

@@ -15,6 +15,7 @@
 
 #include "model/errors.hpp"
 #include "model/files.hpp"
+#include "paper/claims_list.hpp"
 #include "paper/document.hpp"
 
 namespace quadbound {
@@ -140,6 +141,11 @@ TEST_F(Reproduce, ReportHasTheSameTablesInBothForms) {
   const std::string html = file("reproduction.html");
   for (const PaperClaim& claim : results_[0].claims)
     EXPECT_NE(markdown.find(claim.id), std::string::npos);
+  for (const ListedClaim& claim : list_claims(file_of_claims(), results_[0].claims))
+    EXPECT_NE(html.find("<tr id=\"" + claim.anchor + "\""), std::string::npos) << claim.anchor;
+  for (const char* const mesh : {"plate", "fig-46", "fig-47", "fig-49", "fig-50", "fig-10"})
+    EXPECT_NE(html.find(std::string("id=\"mesh-") + mesh + "\""), std::string::npos) << mesh;
+  EXPECT_LT(html.size(), 8'000'000U);
   EXPECT_EQ(html.find("src=\"http"), std::string::npos);
   EXPECT_NE(html.find("data:image/png;base64,iVBOR"), std::string::npos);
   EXPECT_NE(html.find("<svg"), std::string::npos);
@@ -168,7 +174,7 @@ TEST(Document, EscapesAndEncodes) {
   EXPECT_EQ(base64("abc"), "YWJj");
   const Document document{Heading{2, "a < b"}, Paragraph{"`x` & y"}, TextTable{{"1|4"}, {{"2"}}}};
   EXPECT_EQ(to_markdown(document), "## a < b\n\n`x` & y\n\n| 1\\|4 |\n| --- |\n| 2 |\n");
-  const std::string html = to_html(document, "t");
+  const std::string html = to_html(document, {"t", "", ""});
   EXPECT_NE(html.find("<h2>a &lt; b</h2>"), std::string::npos);
   EXPECT_NE(html.find("<p><code>x</code> &amp; y</p>"), std::string::npos);
 }

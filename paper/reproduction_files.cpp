@@ -12,6 +12,8 @@
 #include <utility>
 
 #include "paper/claims.hpp"
+#include "paper/claims_list.hpp"
+#include "paper/report_page.hpp"
 
 namespace quadbound {
 namespace {
@@ -120,13 +122,6 @@ std::string processor_name() {
   return "unknown";
 }
 
-TextTable claims_table(const std::vector<PaperClaim>& claims) {
-  TextTable table{{"claim", "what", "paper", "ours", "verdict"}, {}};
-  for (const PaperClaim& c : claims)
-    table.rows.push_back({c.id, c.what, c.paper, c.ours, verdict_text(c)});
-  return table;
-}
-
 TextTable groups_table(const Reproduction& r) {
   TextTable table{{"set", "n", "grid", "meshes", "N/n least", "mean", "most", "quads/N most",
                    "smallest angle", "largest angle", "all proved"},
@@ -170,7 +165,7 @@ TextTable configurations_table(const Theorem1Table& t) {
 
 void add_lake(Document& d, const Reproduction& r, const ReportPictures& pictures) {
   const Measurement& m = r.lake->measurement;
-  d.push_back(Heading{2, "Lake Superior (fig-10)"});
+  d.push_back(Heading{2, "Lake Superior (fig-10)", "lake"});
   d.push_back(Paragraph{fmt::format(
       "{} points, N = {} cells, {} vertices, {} quads, angles from {} to {} degrees; {}. The "
       "judge's report is `fig-10-report.json`.",
@@ -178,29 +173,36 @@ void add_lake(Document& d, const Reproduction& r, const ReportPictures& pictures
       angle_text(m.smallest), angle_text(m.largest), m.proved() ? "proved" : "NOT PROVED")});
   d.push_back(DocumentPicture{"fig-10-whole.png",
                               "The mesh of the 303 points; the red square is magnified below.",
-                              pictures.whole});
+                              pictures.whole,
+                              {"fig-10"},
+                              "fig-10"});
   d.push_back(DocumentPicture{"fig-10-magnified.png",
-                              "The square magnified; dots are input points.", pictures.magnified});
+                              "The square magnified; dots are input points.",
+                              pictures.magnified,
+                              {},
+                              "fig-10-magnified"});
 }
 
 void add_sizes(Document& d, const Reproduction& r, const ReportPictures& pictures) {
-  d.push_back(Heading{2, "Cells against points (80n, size-3N)"});
+  d.push_back(Heading{2, "Cells against points (80n, size-3N)", "sizes"});
   d.push_back(Paragraph{
       "Every mesh below was judged claim by claim on exact coordinates. Random sets come from "
       "`quadbound generate FAMILY --n N --seed SEED` with seeds from 1. Grid: how the 5x5 cells "
       "around each point are made, by the paper's 6x6 split or directly. All meshes one by one: "
       "`n-against-N.csv`."});
-  d.push_back(DocumentPicture{"n-against-N.svg", "Cells per point.", pictures.chart});
+  d.push_back(
+      DocumentPicture{"n-against-N.svg", "Cells per point.", pictures.chart, {"80n", "size-3N"}});
   d.push_back(groups_table(r));
 }
 
 void add_theorem(Document& d, const Reproduction& r) {
-  d.push_back(Heading{2, "The paper's own warping (2.4.3)"});
+  d.push_back(Heading{2, "The paper's own warping (2.4.3)", "warping", {"thm-1"}});
   d.push_back(Paragraph{
       "`quadbound mesh --warp paper` on uniform sets of 60 points: it breaks Theorem 1. With "
       "the centres beside each point aligned, the default, all sets are proved."});
   d.push_back(warped_table(r));
-  d.push_back(Heading{2, "Theorem 1, configuration by configuration (thm-1)"});
+  d.push_back(
+      Heading{2, "Theorem 1, configuration by configuration (thm-1)", "theorem-1", {"thm-1"}});
   d.push_back(Paragraph{fmt::format(
       "Every shape of a quad, up to similarity; `met` counts {} quads of {} random trees and as "
       "many point sets, {} of which had a shape not listed. Also: `quadbound prove theorem-1`.",
@@ -264,14 +266,17 @@ TextTable shape_table(const Reproduction& r, Distribution MeshShape::*measure) {
 }
 
 void add_polygons(Document& d, const Reproduction& r, const ReportPictures& pictures) {
-  d.push_back(Heading{2, "Polygons (thm-13, fig-46 to fig-53)"});
+  d.push_back(Heading{2, "Polygons (thm-13, fig-46 to fig-53)", "polygons", {"thm-13", "size-5N"}});
   d.push_back(Paragraph{
       "Made by `mesh_polygon`, judged by `verify_polygon` on exact coordinates. Each is what "
       "`quadbound mesh POLYGON` makes without options. The paper's polygons are lost; these are "
       "of the same kind with as many edges. Input angles that stay whole are not judged."});
   d.push_back(polygons_table(r));
   for (const DocumentPicture& picture : pictures.polygons) d.push_back(picture);
-  d.push_back(Heading{2, "Quality (Section 5: fig-44, fig-45, table-2)"});
+  d.push_back(Heading{2,
+                      "Quality (Section 5: fig-44, fig-45, table-2)",
+                      "quality",
+                      {"fig-44", "fig-45", "table-2"}});
   d.push_back(Paragraph{"Vertices by their number of edges:"});
   d.push_back(degrees_table(r));
   d.push_back(Paragraph{
@@ -281,6 +286,19 @@ void add_polygons(Document& d, const Reproduction& r, const ReportPictures& pict
       "Quads by their aspect ratio (fig-45). The longest ones of the lake fill the sharp ends of "
       "its acute input angles:"});
   d.push_back(shape_table(r, &MeshShape::aspect_ratio));
+}
+
+/// Last, because they link to all the rest.
+void insert_claims(Document& d, std::size_t at, const Reproduction& r) {
+  const auto claims = list_claims(file_of_claims(), compare_with_paper(r));
+  const auto place = d.begin() + static_cast<std::ptrdiff_t>(at);
+  d.insert(place,
+           {Heading{2, "Claims, the paper's and ours", "all-claims"},
+            Paragraph{"Everything that the paper says, in the words of this report, and what "
+                      "became of it. `not audited` means that nobody has checked it yet; "
+                      "`fails` is the paper's construction as written, with what we do "
+                      "instead in paper/departures.md."},
+            claims_block(claims, claim_links(d))});
 }
 
 }  // namespace
@@ -339,7 +357,7 @@ std::string machine_json(const Reproduction& r) {
 }
 
 Document reproduction_report(const Reproduction& r, const Provenance& provenance,
-                             const ReportPictures& pictures) {
+                             const ReportPictures& pictures, const PageBlock& records) {
   Document d;
   d.push_back(Heading{1, "The paper, reproduced"});
   d.push_back(Paragraph{
@@ -353,12 +371,17 @@ Document reproduction_report(const Reproduction& r, const Provenance& provenance
           ? "Every mesh is proved to be as Theorem 1 or Theorem 13 says, but for those made by the "
             "paper's own warping."
           : "A CLAIM FAILED: see the verdicts.")});
-  d.push_back(Heading{2, "The paper's numbers and ours"});
-  d.push_back(claims_table(compare_with_paper(r)));
+  const std::size_t claims_at = d.size();
+  d.push_back(Heading{2, "Meshes, to look into", "meshes"});
+  d.push_back(viewer_block(pictures.meshes, pictures.views));
   add_lake(d, r, pictures);
   add_polygons(d, r, pictures);
   add_sizes(d, r, pictures);
   add_theorem(d, r);
+  d.push_back(Heading{2, "Records, of commands that take longer", "records"});
+  d.push_back(Paragraph{"Measured by other commands, each with the command that repeats it:"});
+  d.push_back(records);
+  insert_claims(d, claims_at, r);
   return d;
 }
 

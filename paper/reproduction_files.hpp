@@ -7,6 +7,7 @@
 
 #include "paper/document.hpp"
 #include "paper/reproduction.hpp"
+#include "paper/viewer_mesh.hpp"
 
 namespace quadbound {
 
@@ -33,8 +34,11 @@ struct ReportPictures {
   std::string chart;      ///< n-against-N.svg
   std::string whole;      ///< fig-10-whole.png
   std::string magnified;  ///< fig-10-magnified.png
+  std::vector<ViewerMesh> meshes;
+  std::vector<ViewerView> views;
 };
+/// `records` are the experiments that other commands measured.
 Document reproduction_report(const Reproduction& reproduction, const Provenance& provenance,
-                             const ReportPictures& pictures);
+                             const ReportPictures& pictures, const PageBlock& records);
 
 }  // namespace quadbound
