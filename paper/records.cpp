@@ -121,17 +121,19 @@ class MarkdownReader {
   Document document_;
 };
 
+/// Relative to the folder; those of bench/ last.
 std::vector<fs::path> files_of(const fs::path& folder) {
   std::vector<fs::path> files;
   for (const fs::path& at : {folder, folder / "bench"}) {
     if (!fs::is_directory(at)) continue;
+    const auto start = static_cast<std::ptrdiff_t>(files.size());
     for (const auto& entry : fs::directory_iterator(at)) {
       const fs::path name = entry.path().filename();
       if (name.extension() == ".md" && name != "README.md" && name != "reproduction.md")
         files.push_back(entry.path().lexically_relative(folder));
     }
+    std::sort(files.begin() + start, files.end());
   }
-  std::sort(files.begin(), files.end());
   return files;
 }
 
