@@ -18,8 +18,8 @@ Polygon parse_wkt(std::string_view text, const std::string& file);
 /// Triangle's .poly; vertices come from the sibling .node file where the section is empty.
 Polygon parse_poly(std::string_view text, const std::string& file);
 
-/// Drops the last vertex of a closed ring. Errors: InputError where it differs from the first or
-/// there is none.
+/// Drops the last vertex of a closed ring; one is left at least. Errors: InputError where it differs
+/// from the first or there is no other.
 void drop_closing_vertex(Ring& ring, const std::string& file, std::size_t ring_number);
 
 }  // namespace quadbound

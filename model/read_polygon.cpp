@@ -24,6 +24,7 @@ void drop_closing_vertex(Ring& ring, const std::string& file, std::size_t ring_n
   if (ring.front() != ring.back())
     throw InputError({file, ring_number, ring.size() - 1},
                      "the ring is not closed: its last vertex differs from its first");
+  if (ring.size() == 1) throw InputError({file, ring_number, 0}, "the ring has no other vertex");
   ring.pop_back();
 }
 

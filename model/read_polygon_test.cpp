@@ -49,6 +49,12 @@ TEST(ReadGeoJson, HolesThirdCoordinatesByteOrderMarkAndCarriageReturns) {
   EXPECT_EQ(rings_of(text, PolygonFormat::kGeoJson), kSquareWithHole);
 }
 
+TEST(ReadGeoJson, RefusesARingOfOneVertex) {
+  // Found by fuzz_geojson: it is closed, and nothing was left of it.
+  EXPECT_EQ(geojson(R"({"type": "Polygon", "coordinates": [[[0, 0]]]})"),
+            "a.file: ring 0, vertex 0: the ring has no other vertex");
+}
+
 TEST(ReadGeoJson, RefusesOtherShapes) {
   EXPECT_EQ(geojson(" \n"), "a.file: the file is empty");
   EXPECT_EQ(geojson("[]"), "a.file: a GeoJSON object is due, not array");
@@ -132,6 +138,7 @@ TEST(ReadWkt, AcceptsPolygons) {
 }
 
 TEST(ReadWkt, Refusals) {
+  EXPECT_EQ(wkt("polygon((-1e2 .5))"), "a.file: ring 0, vertex 0: the ring has no other vertex");
   EXPECT_EQ(wkt(""), "a.file: the file is empty");
   EXPECT_EQ(wkt("MULTIPOLYGON (((0 0)))"), "a.file: line 1: \"MULTIPOLYGON\" where POLYGON is due");
   EXPECT_EQ(wkt("POLYGON EMPTY"), "a.file: line 1: the polygon is empty");

@@ -13,7 +13,7 @@ namespace quadbound {
 // Guarantees of all three: 1. reading it back gives the same doubles (shortest digits that do), the
 // same rings from the same first vertices; for .poly, which does not say which ring is the outer
 // one, where the polygon is valid. 2. Equal polygons give equal bytes. Requires: finite
-// coordinates. Errors: show in the stream's state.
+// coordinates, no empty ring. Errors: show in the stream's state.
 
 /// A Feature with one Polygon; `file` becomes its name. Rings are closed, one vertex a line.
 void write_geojson(std::ostream& stream, const Polygon& polygon);
