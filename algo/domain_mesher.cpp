@@ -147,24 +147,30 @@ std::optional<DomainMesh> DomainMesher::round() {
   check_time();
   TreeMesh tree_mesh(domain_, separation_, counters_.quadtree);
   check_time();
-  const CutQuads cut_quads(domain_, tree_mesh, known_centres_);
-  if (!is_separated(tree_mesh, cut_quads) || !is_fine_enough(tree_mesh, cut_quads))
-    return std::nullopt;
-  const KeptQuads kept = keep_quads(tree_mesh, cut_quads);
-  check_time();
-  if (!kept.pinched.empty()) {
-    split_around(tree_mesh, kept.pinched);
-    return std::nullopt;
-  }
-  if (!has_one_alpha_for_each_ring(tree_mesh, cut_quads, kept)) return std::nullopt;
-  aligned_ = align_with_corners(domain_, tree_mesh, cut_quads, kept, counters_.insertion);
+  KeptQuads kept;
   std::vector<Strip> strips;
-  if (!insert(tree_mesh, cut_quads, kept, strips)) return std::nullopt;
+  if (!find_strips(tree_mesh, kept, strips)) return std::nullopt;
+  tree_mesh.forget_links();
   counters_.kept_quads =
       static_cast<std::uint64_t>(std::count(kept.is_kept.begin(), kept.is_kept.end(), true));
   DomainMesh made = assemble(domain_, tree_mesh, kept, strips);
   if (!fill(made, tree_mesh)) return std::nullopt;
   return made;
+}
+
+/// What is left of Q, and the strips around it; false where something is to be split first.
+bool DomainMesher::find_strips(TreeMesh& tree_mesh, KeptQuads& kept, std::vector<Strip>& strips) {
+  const CutQuads cut_quads(domain_, tree_mesh, known_centres_);
+  if (!is_separated(tree_mesh, cut_quads) || !is_fine_enough(tree_mesh, cut_quads)) return false;
+  kept = keep_quads(tree_mesh, cut_quads);
+  check_time();
+  if (!kept.pinched.empty()) {
+    split_around(tree_mesh, kept.pinched);
+    return false;
+  }
+  if (!has_one_alpha_for_each_ring(tree_mesh, cut_quads, kept)) return false;
+  aligned_ = align_with_corners(domain_, tree_mesh, cut_quads, kept, counters_.insertion);
+  return insert(tree_mesh, cut_quads, kept, strips);
 }
 
 bool DomainMesher::is_separated(const TreeMesh& tree_mesh, const CutQuads& cut_quads) {

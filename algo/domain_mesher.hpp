@@ -73,6 +73,7 @@ class DomainMesher {
   std::optional<NeedsKites> split_and_separate();
   std::optional<Window> split();
   void local_round(const Window& window);
+  bool find_strips(TreeMesh& tree_mesh, KeptQuads& kept, std::vector<Strip>& strips);
   bool is_separated(const TreeMesh& tree_mesh, const CutQuads& cut_quads);
   bool is_fine_enough(const TreeMesh& tree_mesh, const CutQuads& cut_quads);
   bool has_one_alpha_for_each_ring(const TreeMesh& tree_mesh, const CutQuads& cut_quads,

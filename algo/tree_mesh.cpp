@@ -107,6 +107,14 @@ void TreeMesh::link_quads() {
     for (const VertexId v : mesh_.quads[quad]) quads_at_[end[v]++] = quad;
 }
 
+void TreeMesh::forget_links() {
+  first_quad_ = {};
+  quads_at_ = {};
+  site_near_ = {};
+  grid_of_ = {};
+  other_grids_ = {};
+}
+
 void TreeMesh::append_vertices_of(Cell leaf, std::vector<VertexId>& vertices) const {
   const NodeId node = template_tree_.node_of(leaf.block);
   const VertexId first = template_tree_.centre(node, leaf.quadrant);

@@ -37,6 +37,9 @@ class TreeMesh {
   [[nodiscard]] const Mesh& mesh() const { return mesh_; }
   [[nodiscard]] LatticePoint at(VertexId vertex) const { return mesh_.vertices.lattice(vertex); }
   void move_to(VertexId vertex, LatticePoint point) { mesh_.vertices.move_to(vertex, point); }
+  /// Gives back the memory of quads_at, site_near and for_grids_with, which must not be asked any
+  /// more.
+  void forget_links();
 
   [[nodiscard]] std::span<const QuadId> quads_at(VertexId vertex) const {
     return {quads_at_.data() + first_quad_[vertex], first_quad_[vertex + 1] - first_quad_[vertex]};
