@@ -120,7 +120,7 @@ double leaves_with(const std::vector<Point>& points, GridRefinement refinement) 
 
 /// Empty where the budget ran out. Throws: std::runtime_error where a claim fails.
 std::optional<Size> size_of(const Polygon& polygon) {
-  const Budget budget{20'000'000, 600};
+  const Budget budget{5'000'000, 600};
   const PolygonMeshResult result = mesh_polygon(polygon, {budget, {}});
   const auto* made = std::get_if<PolygonMesh>(&result);
   if (made == nullptr) return std::nullopt;
@@ -210,7 +210,7 @@ All families with their default parameters, n up to {}, {} seeds each (one beyon
 mesh is proved. n counts all vertices, those of holes too; N the leaves of the quadtree. *before separation*: N of the
 tree of the vertices and their 5x5 grids alone. *6x6 / 5x5*: leaves of the paper's first refinement over those of its "possible
 smaller-sized" one, for the same vertices in the root square of point sets. *integral*: the sum over the boundary of
-1 / local feature size (Ruppert's, by looking at all pairs of edges), for n up to {}.
+1 / local feature size (Ruppert's, by looking at all pairs of edges), for n up to {}. Refused: more than 5,000,000 cells.
 
 )";
 constexpr const char* kHead =

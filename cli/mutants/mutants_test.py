@@ -31,6 +31,12 @@ LIMITS = ("--seed", "1", "--max-cells", "30000", "--max-seconds", "2", "--shrink
 POINTS = ("--points", "--count", "200", "--seed", "1")
 
 
+NO_FAULTS = """Tried too, not caught, and left out: they break nothing, as something else makes up for them. Condition A.3 for
+points eight times as close (the 5x5 grids ask for more); aligned centres whose quads are not looked at (none has
+been refused in the campaigns so far); pentagons not judged again after rounding; a kite's v placed for an angle a
+little off. A point that no quad uses is left out of the mesh."""
+
+
 class Build:
     """A build folder of Ninja, with its compile commands."""
 
@@ -155,7 +161,8 @@ def try_mutant(build, mutant):
 
 def row(mutant, judgement):
     caught = judgement.how or "**survived**"
-    return (f"| {mutant['id']} | {mutant['file']} | {mutant['breaks']} | {caught} | "
+    breaks = mutant["breaks"].replace("|", "&#124;")
+    return (f"| {mutant['id']} | {mutant['file']} | {breaks} | {caught} | "
             f"{judgement.cases:,} |")
 
 
@@ -166,7 +173,7 @@ def write_results(path, rows, caught):
             "the first campaign that does, and how many random cases that had.", "",
             "`python3 cli/mutants/mutants_test.py build/release --all -o results/mutants.md`", "",
             "| mutant | file | what it breaks | caught by | cases |", "| --- | --- | --- | --- | ---: |",
-            *rows, ""]
+            *rows, "", NO_FAULTS, ""]
     new = path.with_name(path.name + ".new")
     new.write_text("\n".join(text))
     new.rename(path)
