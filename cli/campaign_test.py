@@ -57,6 +57,28 @@ class CampaignTest(unittest.TestCase):
         return output, error
 
 
+class StoredCounters(CampaignTest):
+    """The mesher counts its work; all counts are integers of the algorithm, the same on every
+    machine. A change that means to change them runs this with STORE_COUNTERS=1 and says why."""
+
+    STORED = pathlib.Path(__file__).with_name("stored_counters.json")
+
+    def test_a_campaign_counts_what_it_has_counted_before(self):
+        self.run_it("--count", 130, "--seed", 1, "--max-cells", 30000, "--max-seconds", 1000,
+                    "--summary", "summary.json", "--quiet")
+        summary = json.loads((self.folder / "summary.json").read_text())
+        counted = {
+            "counters": summary["counters"],
+            "families": {name: {key: family[key] for key in ("proved", "vertices", "cells", "quads")}
+                         for name, family in summary["families"].items()},
+            "constructions": {name: made["quads"]
+                              for name, made in summary["constructions"].items()}}
+        if "STORE_COUNTERS" in os.environ:
+            self.STORED.write_text(json.dumps(counted, indent=1) + "\n")
+        self.maxDiff = None
+        self.assertEqual(counted, json.loads(self.STORED.read_text()))
+
+
 class Resume(CampaignTest):
     COUNT = 150
 
