@@ -141,8 +141,10 @@ TEST_F(Reproduce, ReportHasTheSameTablesInBothForms) {
   const std::string html = file("reproduction.html");
   for (const PaperClaim& claim : results_[0].claims)
     EXPECT_NE(markdown.find(claim.id), std::string::npos);
-  for (const ListedClaim& claim : list_claims(file_of_claims(), results_[0].claims))
+  for (const ListedClaim& claim : list_claims(file_of_claims(), results_[0].claims)) {
     EXPECT_NE(html.find("<tr id=\"" + claim.anchor + "\""), std::string::npos) << claim.anchor;
+    EXPECT_NE(claim.place, "-") << claim.id;
+  }
   for (const char* const mesh : {"plate", "fig-46", "fig-47", "fig-49", "fig-50", "fig-10"})
     EXPECT_NE(html.find(std::string("id=\"mesh-") + mesh + "\""), std::string::npos) << mesh;
   EXPECT_LT(html.size(), 8'000'000U);

@@ -291,14 +291,16 @@ void add_polygons(Document& d, const Reproduction& r, const ReportPictures& pict
 /// Last, because they link to all the rest.
 void insert_claims(Document& d, std::size_t at, const Reproduction& r) {
   const auto claims = list_claims(file_of_claims(), compare_with_paper(r));
+  const bool all_audited = std::none_of(claims.begin(), claims.end(), [](const ListedClaim& claim) {
+    return claim.verdict == "not audited";
+  });
+  const std::string about = fmt::format(
+      "Everything that the paper says, in the words of this report, and what became of it. `fails` "
+      "is the paper's statement as it stands, with what we do instead in paper/departures.md.{}",
+      all_audited ? "" : " `not audited` means that nobody has checked it yet.");
   const auto place = d.begin() + static_cast<std::ptrdiff_t>(at);
-  d.insert(place,
-           {Heading{2, "Claims, the paper's and ours", "all-claims"},
-            Paragraph{"Everything that the paper says, in the words of this report, and what "
-                      "became of it. `not audited` means that nobody has checked it yet; "
-                      "`fails` is the paper's construction as written, with what we do "
-                      "instead in paper/departures.md."},
-            claims_block(claims, claim_links(d))});
+  d.insert(place, {Heading{2, "Claims, the paper's and ours", "all-claims"}, Paragraph{about},
+                   claims_block(claims, claim_links(d))});
 }
 
 }  // namespace
