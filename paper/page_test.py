@@ -325,6 +325,16 @@ class Page(unittest.TestCase):
         self.assertEqual(self.browser.run("innerWidth"), PHONE[0])
         self.assertLessEqual(self.browser.run("viewer.canvas.getBoundingClientRect().width"), PHONE[0])
 
+    def test_a_finger_selects_on_a_phone(self):
+        self.browser.size(*PHONE)
+        self.browser.run("viewer.canvas.scrollIntoView({block: 'center'})")
+        self.browser.run("viewer.goTo(100), viewer.unselect()")
+        self.browser.settle()
+        self.browser.touch("touchStart", self.middle_of(100))
+        self.browser.touch("touchEnd")
+        self.browser.settle()
+        self.assertEqual(self.browser.run("viewer.selection && viewer.selection.quad"), 100)
+
 
 if __name__ == "__main__":
     QUADBOUND = sys.argv.pop(1)
