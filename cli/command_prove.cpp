@@ -6,6 +6,8 @@
 
 #include "cli/commands.hpp"
 #include "cli/progress.hpp"
+#include "paper/lemma_claims.hpp"
+#include "paper/lemma_report.hpp"
 #include "paper/theorem_1_table.hpp"
 
 namespace quadbound::cli {
@@ -15,6 +17,8 @@ struct ProveCommand {
   std::string theorem;
   std::uint64_t trees = 500;
 };
+
+constexpr const char* kLemmas = "lemmas";
 
 /// Shows the census on the progress line.
 class CensusWatcher final : public Watcher {
@@ -27,7 +31,19 @@ class CensusWatcher final : public Watcher {
   Progress progress_;
 };
 
+ExitStatus audit(const ProveCommand& options) {
+  const LemmaAudits audits = [&options] {
+    CensusWatcher watcher;
+    return audit_paper_lemmas(options.trees, watcher);
+  }();
+  fmt::print("{}\n", to_text(audits));
+  for (const PaperClaim& claim : lemma_claims(audits))
+    fmt::print("{:<14} {:<84} {}\n", claim.id, claim.what, verdict_text(claim));
+  return lemmas_hold(audits) ? kGood : kClaimFailed;
+}
+
 ExitStatus prove(const ProveCommand& options) {
+  if (options.theorem == kLemmas) return audit(options);
   const Theorem1Table table = [&options] {
     CensusWatcher watcher;
     return make_theorem_1_table(options.trees, watcher);
@@ -46,12 +62,19 @@ void add_prove_command(CLI::App& app, Outcome& outcome) {
       "as\n"
       "exact arctangents, and how often random trees met it. Status 1 if a bound is broken, a "
       "shape is\n"
-      "never met, or a shape is met that is not listed.\n\nExample:\n  quadbound prove theorem-1");
-  command->add_option("THEOREM", options->theorem, "theorem-1")
+      "never met, or a shape is met that is not listed.\n"
+      "lemmas: Observations 1 and 2, Table 1 and Lemmas 2 to 12, decided in integers on random "
+      "trees "
+      "cut by\n"
+      "lines and on corners. Status 1 if what is said to hold was broken, or a counterexample is "
+      "none.\n\n"
+      "Examples:\n  quadbound prove theorem-1\n  quadbound prove lemmas --trees 100000");
+  command->add_option("THEOREM", options->theorem, "theorem-1 or lemmas")
       ->required()
-      ->check(CLI::IsMember({"theorem-1"}));
+      ->check(CLI::IsMember({"theorem-1", kLemmas}));
   command
-      ->add_option("--trees", options->trees, "random trees of the census; 0 for the proof alone")
+      ->add_option("--trees", options->trees,
+                   "random trees of the census or the audit; 0 for the proof alone")
       ->capture_default_str();
   command->callback([options, &outcome] { outcome.status = prove(*options); });
 }

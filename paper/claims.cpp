@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "algo/construction.hpp"
+#include "paper/lemma_claims.hpp"
 
 namespace quadbound {
 namespace {
@@ -28,6 +29,7 @@ class Comparison {
     theorem_13();
     figures();
     quality();
+    for (PaperClaim& claim : lemma_claims(r_.lemmas)) claims_.push_back(std::move(claim));
     return std::move(claims_);
   }
 
@@ -305,6 +307,8 @@ std::string_view verdict_name(PaperVerdict verdict) {
       return "not reproducible";
     case PaperVerdict::kDiffers:
       return "differs";
+    case PaperVerdict::kRefuted:
+      return "fails";
     case PaperVerdict::kFails:
       break;
   }

@@ -16,6 +16,7 @@ enum class PaperVerdict {
   kOwnPolygon,       ///< reproduced on a polygon of ours of the same kind
   kNotReproducible,  ///< `why` says what the paper does not give
   kDiffers,          ///< by what `why` says, no failure
+  kRefuted,          ///< the paper's statement fails; `why` says how
   kFails,            ///< a claim of ours failed
 };
 

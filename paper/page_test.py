@@ -138,7 +138,7 @@ class Page(unittest.TestCase):
     def setUpClass(cls):
         cls.folder = pathlib.Path(tempfile.mkdtemp(prefix="quadbound-report-"))
         cls.addClassCleanup(shutil.rmtree, cls.folder, ignore_errors=True)
-        subprocess.run([QUADBOUND, "reproduce", "--max-n", "100", "--trees", "20", "--out", cls.folder],
+        subprocess.run([QUADBOUND, "reproduce", "--max-n", "100", "--trees", "20", "--audits", "100", "--out", cls.folder],
                        check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         cls.browser = Browser()
         cls.addClassCleanup(cls.browser.close)
@@ -289,9 +289,8 @@ class Page(unittest.TestCase):
     def test_the_filter_finds_claims(self):
         claims = json.loads((pathlib.Path(__file__).parent / "claims.json").read_text())["claims"]
         self.assertEqual(len(self.shown_claims()), len(claims))
-        self.type_filter("lemma 11")
-        self.assertIn("lemma-11", self.shown_claims())
-        self.assertTrue(all(anchor.startswith("lemma-11") for anchor in self.shown_claims()))
+        self.type_filter("five quads")
+        self.assertEqual(self.shown_claims(), ["lemma-11"])
         self.browser.run("claimsFilter.showAll()")
         self.type_filter("no such claim")
         self.assertEqual(self.shown_claims(), [])

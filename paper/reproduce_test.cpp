@@ -34,7 +34,7 @@ class Reproduce : public testing::Test {
       ReproduceOptions options;
       options.out = folder.string();
       options.command = "test";
-      options.measure = {QUADBOUND_PAPER_DATA, 100, 200, threads};
+      options.measure = {QUADBOUND_PAPER_DATA, 100, 200, 100, threads};
       NoWatcher nobody;
       results_.push_back(reproduce(options, nobody));
       folders_.push_back(folder);
@@ -155,7 +155,7 @@ TEST_F(Reproduce, ReportHasTheSameTablesInBothForms) {
 
 TEST_F(Reproduce, TimesAreInOneFileOnly) {
   const auto machine = nlohmann::json::parse(file("machine.json"));
-  EXPECT_EQ(machine.at("steps").size(), 7U);
+  EXPECT_EQ(machine.at("steps").size(), 8U);
   EXPECT_EQ(file("reproduction.json").find("seconds"), std::string::npos);
 }
 

@@ -15,6 +15,7 @@
 #include "model/read_points.hpp"
 #include "model/read_polygon.hpp"
 #include "model/validate.hpp"
+#include "paper/lemma_claims.hpp"
 
 namespace quadbound {
 namespace {
@@ -58,6 +59,8 @@ class Measuring {
          [this] { result_.theorem_1 = make_theorem_1_table(options_.trees, watcher_); });
     step("warping of the paper", [this] { warped(); });
     step("thm-13: polygons", [this] { polygons(); });
+    step("lemmas: audited",
+         [this] { result_.lemmas = audit_paper_lemmas(options_.audits, watcher_); });
     return std::move(result_);
   }
 
@@ -220,7 +223,7 @@ bool Group::proved() const {
 }
 
 bool Reproduction::holds() const {
-  return lake && lake->report.holds() && theorem_1.holds() &&
+  return lake && lake->report.holds() && theorem_1.holds() && lemmas_hold(lemmas) &&
          std::all_of(groups.begin(), groups.end(), [](const Group& g) { return g.proved(); }) &&
          std::all_of(polygons.begin(), polygons.end(),
                      [](const PolygonFigure& f) { return f.judged.report.holds(); });

@@ -13,6 +13,7 @@
 
 #include "paper/claims.hpp"
 #include "paper/claims_list.hpp"
+#include "paper/lemma_report.hpp"
 #include "paper/report_page.hpp"
 
 namespace quadbound {
@@ -324,6 +325,7 @@ std::string reproduction_json(const Reproduction& r, const Provenance& provenanc
   json["polygons"] = Json::array();
   for (const PolygonFigure& figure : r.polygons) json["polygons"].push_back(json_of(figure));
   json["fig-47"] = json_of(r.fig_47->measurement);
+  json["lemmas"] = Json::parse(lemma_json(r.lemmas));
   return json.dump(1) + "\n";
 }
 
@@ -380,6 +382,7 @@ Document reproduction_report(const Reproduction& r, const Provenance& provenance
   add_polygons(d, r, pictures);
   add_sizes(d, r, pictures);
   add_theorem(d, r);
+  for (Block& block : lemma_section(r.lemmas)) d.push_back(std::move(block));
   d.push_back(Heading{2, "Records, of commands that take longer", "records"});
   d.push_back(Paragraph{"Measured by other commands, each with the command that repeats it:"});
   d.push_back(records);
