@@ -40,6 +40,17 @@ TEST(LemmaAudit, CounterexamplesAreWhole) {
   }
 }
 
+TEST(LemmaAudit, SmallerCaseDropsWhatIsNotNeeded) {
+  const LemmaCounterexample& known = lemma_counterexamples().front();
+  CutTreeCase larger = known.cut_case;
+  for (const TreeNode& node : {TreeNode{1, 0, 0}, {2, 0, 0}, {3, 1, 1}, {2, 3, 3}})
+    larger.split.push_back(node);
+  larger.line.point.y += 3;
+  const CutTreeCase smaller = smaller_case(larger, known.check);
+  EXPECT_LE(smaller.split.size(), known.cut_case.split.size());
+  EXPECT_GT(audit_case(smaller).of(known.check).failed_in_general_position, 0U);
+}
+
 TEST(LemmaAudit, VerdictsAreThoseThatAreSaid) {
   NoWatcher nobody;
   const LemmaAudits audits = audit_paper_lemmas(300, nobody);
