@@ -388,7 +388,8 @@ void check_corner(const CornerCase& corner, CornerAudit& audit) {
   count(audit, CornerCheck::kEndsInGrid, u && w, corner);
   if (!u || !w) return;
   const int edges = edges_of(corner, place_in_ring(*u), place_in_ring(*w));
-  ++audit.by_edges[static_cast<std::size_t>(std::max(edges, -1) + 1)];
+  const int place = std::max(edges + 1, 0);
+  ++audit.by_edges[static_cast<std::size_t>(place)];
   count(audit, CornerCheck::kOneToSevenEdges, edges >= 1, corner);
   const CornerPolygon polygon(corner, place_in_ring(*u), edges);
   if (edges >= 0) count(audit, CornerCheck::kFeetOnEdges, polygon.no_foot_beyond_v(), corner);
