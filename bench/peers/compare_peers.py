@@ -25,7 +25,7 @@ sys.path.insert(0, str(HERE.parent))
 sys.dont_write_bytecode = True
 import record  # noqa: E402
 
-LIMIT = 120  # seconds for one mesh
+LIMIT = 120  # seconds of CPU time for one mesh
 LOWER = math.degrees(math.atan2(1, 3))
 UPPER = 180 - math.degrees(math.atan2(1, 7))
 
@@ -83,8 +83,10 @@ def geo_text(rings):
 # A process counts the memory of the one that started it, up to its exec, as its own: so a small
 # one starts it, and 10 MiB are what is least seen.
 LAUNCHER = """
-import os, subprocess, sys
-child = subprocess.Popen(sys.argv[1:], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+import os, resource, subprocess, sys
+limit = int(sys.argv[1])
+resource.setrlimit(resource.RLIMIT_CPU, (limit, limit + 5))
+child = subprocess.Popen(sys.argv[2:], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
 _, status, usage = os.wait4(child.pid, 0)
 print(os.waitstatus_to_exitcode(status), usage.ru_utime + usage.ru_stime, usage.ru_maxrss)
 """
@@ -92,15 +94,11 @@ print(os.waitstatus_to_exitcode(status), usage.ru_utime + usage.ru_stime, usage.
 
 def limited(command):
     """(status, CPU seconds, peak bytes) of a process; status None where the limit ran out."""
-    launcher = subprocess.Popen([sys.executable, "-S", "-c", LAUNCHER, *map(str, command)],
-                                stdout=subprocess.PIPE, text=True, start_new_session=True)
-    try:
-        status, seconds, kibibytes = launcher.communicate(timeout=LIMIT)[0].split()
-    except subprocess.TimeoutExpired:
-        os.killpg(launcher.pid, signal.SIGKILL)
-        launcher.communicate()
-        return None, LIMIT, 0
-    return int(status), float(seconds), 1024 * int(kibibytes)
+    done = subprocess.run([sys.executable, "-S", "-c", LAUNCHER, str(LIMIT), *map(str, command)],
+                          stdout=subprocess.PIPE, text=True, check=True)
+    status, seconds, kibibytes = done.stdout.split()
+    ran_out = int(status) in (-signal.SIGXCPU, -signal.SIGKILL)
+    return None if ran_out else int(status), float(seconds), 1024 * int(kibibytes)
 
 
 def commands(options, polygon, folder):
@@ -226,7 +224,7 @@ def row(options, recipe, polygon, rings, folder):
         status, seconds, peak = limited(command)
         label = f"| {recipe} | {name} |"
         if status is None:
-            yield f"{label} no mesh within {LIMIT} s | | | | | | | |"
+            yield f"{label} no mesh within {LIMIT} s of CPU time | | | | | | | |"
         elif status != 0 or not out.exists():
             how = f"died of signal {-status}" if status < 0 else f"status {status}"
             yield f"{label} {how} | | | | | | | |"
