@@ -245,7 +245,7 @@ def version_of_gmsh():
 
 FOOT = """Seconds are those of the process, reading and writing files included, so that small meshes tell more of the
 start of a program than of its mesher. Angles are in degrees, without the corners that are whole input angles. A
-boundary of doubles cannot lie exactly on slanted edges: all files but quadbound's own, which holds rationals, fail
+boundary of doubles seldom lies exactly on slanted edges: files other than quadbound's own, which holds rationals, fail
 *boundary-kept* and *area* there by rounding alone. gmsh 8 is its packing of parallelograms, which crashes in Debian's build.
 gmsh's sizes are the lengths of the edges at each vertex; CGAL's are not bounded. bamg makes triangles only and is
 not compared."""
