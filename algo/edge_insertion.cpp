@@ -86,7 +86,7 @@ class Insertion {
     return alpha_[static_cast<std::size_t>((start_ + j) % size_)];
   }
   [[nodiscard]] LatticePoint point(int j) const { return tree_mesh_.at(vertex(j)); }
-  /// Those of the last index that was made may still grow, the earlier ones not.
+  /// Valid until states of another index are made.
   std::span<State> states(int j) {
     const auto at = static_cast<std::size_t>(j);
     return {states_.data() + first_state_[at], first_state_[at + 1] - first_state_[at]};

@@ -16,14 +16,14 @@ using VertexId = std::uint32_t;
 inline constexpr VertexId kNoVertex = std::numeric_limits<VertexId>::max();
 
 /// The vertices of a mesh. A vertex is on the lattice (two integers) wherever its coordinates
-/// allow; the others are rationals in a side table, or fractions of small numbers in another, which
-/// costs a tenth: points where edges between lattice points meet lines of the lattice.
+/// allow; the others are rationals in a side table, or fractions of small numbers in another:
+/// points where edges between lattice points meet lines of the lattice.
 ///
 /// Guarantees: 1. exact(v) is the value that was put in, whichever way it is kept. 2. A vertex
 /// added with add_exact or add_double is on the lattice exactly when its coordinates are integer
 /// multiples of 2^exponent() within kMaxLatticeCoordinate.
-/// Complexity: 16 bytes for a vertex on the lattice, 64 for one kept as fractions, over 200 for one
-/// kept as rationals.
+/// Complexity: 16 bytes for a vertex on the lattice, 64 for one kept as fractions, 80 and four long
+/// integers for one kept as rationals.
 class Vertices {
  public:
   explicit Vertices(int exponent = 0) : exponent_(exponent) {}

@@ -25,7 +25,7 @@ SOURCES = HERE.parent.parent
 UNIT_OF_HEADER = {"algo/apply_template.hpp": "algo/quadrangulation.cpp"}
 # One of the templates, one of the strips, one of the kites: compiling takes nearly all the time.
 QUICK = ("t4-order", "bump-order", "kite-moves")
-# The cheap campaign first: it is enough for nearly all. The longest is the minute of the issue.
+# The cheap campaign first: it is enough for nearly all. The longest takes a minute.
 CAMPAIGNS = (("--count", "26"), ("--count", "520"), ("--seconds", "60"))
 LIMITS = ("--seed", "1", "--max-cells", "30000", "--max-seconds", "2", "--shrink-tries", "0")
 POINTS = ("--points", "--count", "200", "--seed", "1")
@@ -70,11 +70,9 @@ def mutated_program(build, mutant, folder):
     mutated_unit = folder / unit.relative_to(SOURCES)
     if mutated_unit != copy:
         mutated_unit.write_text(unit.read_text())
-    command = build.commands[unit]
-    command = re.sub(r" -o \S+ -c \S+", "", command)
-    # A piece left out may leave something unused.
-    words = [w for w in shlex.split(command) if w != "-Werror"]
+    words = shlex.split(re.sub(r" -o \S+ -c \S+", "", build.commands[unit]))
     made = folder / "mutant.o"
+    # No warnings: a piece left out may leave something unused.
     run([words[0], f"-I{folder}", *words[1:], "-w", "-o", str(made), "-c", str(mutated_unit)],
         build.folder)
     program = folder / "quadbound"
