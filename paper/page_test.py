@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Opens the report in headless Chromium and uses it: no error, a drawn viewer, exact angles by a click, the filter
-of the claims, and a phone. Usage: page_test.py QUADBOUND"""
+of the claims, a phone, and paper. Usage: page_test.py QUADBOUND"""
 
+import base64
 import json
 import os
 import pathlib
@@ -333,6 +334,41 @@ class Page(unittest.TestCase):
         self.browser.touch("touchEnd")
         self.browser.settle()
         self.assertEqual(self.browser.run("viewer.selection && viewer.selection.quad"), 100)
+
+    def print_media(self, media):
+        self.browser.ask("Emulation.setEmulatedMedia", media=media)
+        self.browser.settle()
+
+    def test_paper_shows_every_claim_and_figure_and_no_controls(self):
+        self.type_filter("five quads")
+        self.print_media("print")
+        self.addCleanup(self.print_media, "")
+        texts = self.browser.run("""claimsFilter.rows.map(row => [...row.querySelectorAll(
+            'td:not([data-head="see"])')].filter(cell => cell.textContent && cell.checkVisibility()).map(
+            cell => cell.innerText).join(' '))""")
+        claims = json.loads((pathlib.Path(__file__).parent / "claims.json").read_text())["claims"]
+        self.assertEqual(len(texts), len(claims))
+        for claim in claims:
+            self.assertTrue(any(claim["id"] in text and claim["what"] in text for text in texts), claim)
+        shown = "[...document.querySelectorAll('%s')].filter(part => part.checkVisibility()).length"
+        self.assertEqual(self.browser.run(shown % "nav, button, input, select, canvas"), 0)
+        figures = self.browser.run("""[...document.querySelectorAll('figure')].map(figure => {
+            const picture = figure.querySelector('img, svg').getBoundingClientRect();
+            return [picture.width, picture.height, getComputedStyle(figure).breakInside];
+        })""")
+        self.assertGreater(len(figures), 10)
+        for width, height, break_inside in figures:
+            self.assertGreater(min(width, height), 0)
+            self.assertLess(height, 297 * 96 / 25.4)
+            self.assertEqual(break_inside, "avoid")
+
+    def test_it_is_printed(self):
+        pdf = base64.b64decode(self.browser.ask("Page.printToPDF", preferCSSPageSize=True,
+                                                generateTaggedPDF=False)["data"])
+        self.assertTrue(pdf.startswith(b"%PDF-"))
+        self.assertGreater(pdf.count(b"/Type /Page\n"), 10)
+        folds = "[...document.querySelectorAll('details')].filter(fold => !fold.open).length"
+        self.assertEqual(self.browser.run(folds), 0)
 
 
 if __name__ == "__main__":
