@@ -5,8 +5,9 @@ judge all meshes, and writes a table.
 
 compare_peers.py BUILD -o results/peers.md
 
-Wants the programs quadbound and peer_cgal in BUILD, and gmsh. Each mesher runs in a process of its
-own with a limit of time; time and memory are that process's, reading and writing files included.
+Wants the programs quadbound and peer_cgal in BUILD, gmsh, and ffbamg of Debian's freefem++. Each
+mesher runs in a process of its own with a limit of time; time and memory are that process's,
+reading and writing files included.
 """
 import argparse
 import fractions
@@ -40,6 +41,15 @@ GMSH = {
                           "Mesh.SubdivisionAlgorithm": 1},
 }
 
+# -2q splits triangles into three quads and quads into four; -thetaquad joins triangles first, where
+# the quad has no angle below that.
+BAMG = {
+    "bamg -2q": ["-2q"],
+    "bamg -thetaquad -2q": ["-thetaquad", str(LOWER), "-2q"],
+}
+BAMG_VERTICES = 3_000_000  # -nbv, the most that it makes; it has memory for them from the start
+BAMG_DIGITS = 12  # that it writes
+
 
 # ---- The polygons
 
@@ -59,14 +69,18 @@ def rings_of(path):
     return [ring[:-1] for ring in made["coordinates"]]
 
 
+def sizes_of(ring):
+    """The size at a vertex is the shorter of its two edges, as usual where nothing else is known."""
+    return [min(math.dist(ring[i], ring[i - 1]), math.dist(ring[i], ring[(i + 1) % len(ring)]))
+            for i in range(len(ring))]
+
+
 def geo_text(rings):
-    """gmsh's own format. The size at a vertex is the shorter of its two edges, as usual where
-    nothing else is known."""
+    """gmsh's own format."""
     lines, loops, count = [], [], 0
     for ring in rings:
         size = len(ring)
-        for i, (x, y) in enumerate(ring):
-            h = min(math.dist(ring[i], ring[i - 1]), math.dist(ring[i], ring[(i + 1) % size]))
+        for i, ((x, y), h) in enumerate(zip(ring, sizes_of(ring))):
             lines.append(f"Point({count + i + 1}) = {{{x!r}, {y!r}, 0, {h!r}}};")
         lines += [f"Line({count + i + 1}) = {{{count + i + 1}, {count + (i + 1) % size + 1}}};"
                   for i in range(size)]
@@ -75,6 +89,23 @@ def geo_text(rings):
         count += size
     surface = ", ".join(str(loop) for loop in loops)
     return "\n".join([*lines, f"Plane Surface(1) = {{{surface}}};", "Recombine Surface {1};", ""])
+
+
+def bamg_text(rings):
+    """bamg's own format. Every vertex is a corner, so that edges stay straight, and required; the
+    domain is on the left of the first edge, as the outer ring is counter-clockwise."""
+    points = [point for ring in rings for point in ring]
+    sizes = [repr(size) for ring in rings for size in sizes_of(ring)]
+    edges, count = [], 0
+    for ring in rings:
+        edges += [f"{count + i + 1} {count + (i + 1) % len(ring) + 1} 1" for i in range(len(ring))]
+        count += len(ring)
+    all_vertices = [str(count), *(str(i + 1) for i in range(count))]
+    return "\n".join(["MeshVersionFormatted 0", "Dimension 2",
+                      "Vertices", str(count), *(f"{x!r} {y!r} 1" for x, y in points),
+                      "Edges", str(count), *edges, "hVertices", *sizes,
+                      "Corners", *all_vertices, "RequiredVertices", *all_vertices,
+                      "SubDomainFromGeom", "1", "2 1 1 1", ""])
 
 
 # ---- Running
@@ -113,6 +144,9 @@ def commands(options, polygon, folder):
         extra = [word for key, value in settings.items()
                  for word in ("-setnumber", key, str(value))]
         yield name, ["gmsh", "-2", "-format", "msh41", "-o", out, folder / "polygon.geo", *extra], out
+    for i, (name, words) in enumerate(BAMG.items()):
+        out = folder / f"bamg{i}.mesh"
+        yield name, ["ffbamg", "-g", folder / "polygon.g", "-o", out, "-nbv", BAMG_VERTICES, *words], out
 
 
 # ---- The meshes
@@ -162,6 +196,30 @@ def read_msh(path):
                     if nodes > 2:
                         faces.append(face)
     return points, faces
+
+
+def read_bamg(path, rings):
+    """bamg's mesh; its digits of the polygon's vertices are replaced by all that these have."""
+    def rounded(value):
+        return f"{float(value):.{BAMG_DIGITS}g}"
+    inputs = {(rounded(x), rounded(y)): (float(x), float(y)) for ring in rings for x, y in ring}
+    section, points, faces = "", [], []
+    for line in path.read_text().splitlines():
+        words = line.split()
+        if words and words[0][0].isalpha():
+            section = words[0]
+        elif section == "Vertices" and len(words) == 3:
+            x, y = words[:2]
+            points.append(inputs.get((rounded(x), rounded(y)), (float(x), float(y))))
+        elif section in ("Triangles", "Quadrilaterals") and len(words) > 3:
+            faces.append([int(word) - 1 for word in words[:-1]])
+    return points, faces
+
+
+def write_obj(path, points, faces):
+    lines = [f"v {x!r} {y!r} 0" for x, y in points]
+    lines += ["f " + " ".join(str(v + 1) for v in face) for face in faces]
+    path.write_text("\n".join(lines) + "\n")
 
 
 def corners(points, face):
@@ -229,6 +287,9 @@ def row(options, recipe, polygon, rings, folder):
             how = f"died of signal {-status}" if status < 0 else f"status {status}"
             yield f"{label} {how} | | | | | | | |"
         else:
+            if out.suffix == ".mesh":
+                mesh, out = out, out.with_suffix(".obj")
+                write_obj(out, *read_bamg(mesh, rings))
             reader = {".json": read_json, ".msh": read_msh, ".obj": read_obj}[out.suffix]
             made = figures(*reader(out), rings)
             share = 100 * made["outside"] / made["quads"] if made["quads"] else 0
@@ -247,8 +308,9 @@ FOOT = """Seconds are those of the process, reading and writing files included, 
 start of a program than of its mesher. Angles are in degrees, without the corners that are whole input angles. A
 boundary of doubles seldom lies exactly on slanted edges: files other than quadbound's own, which holds rationals, fail
 *boundary-kept* and *area* there by rounding alone. gmsh 8 is its packing of parallelograms, which crashes in Debian's build.
-gmsh's sizes are the lengths of the edges at each vertex; CGAL's are not bounded. bamg makes triangles only and is
-not compared."""
+The sizes of gmsh and bamg are the lengths of the edges at each vertex; CGAL's are not bounded. bamg's triangles are split
+into three quads; with `-thetaquad 18.43` those that are joined to quads first, into four. It has memory for three
+million vertices from the start. Its vertices on the polygon's are given back the digits that its files do not keep."""
 
 HEAD = """| polygon | mesher | quads | triangles left | quads outside | smallest | largest | mean scaled Jacobian | quads/s | MiB | claims that fail |
 | --- | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | --- |"""
@@ -264,11 +326,12 @@ def lines(options):
                 make_polygon(options.build / "cli" / "quadbound", recipe, polygon)
                 rings = rings_of(polygon)
                 (folder / "polygon.geo").write_text(geo_text(rings))
+                (folder / "polygon.g").write_text(bamg_text(rings))
                 for line in row(options, recipe, polygon, rings, folder):
                     print(line, file=sys.stderr)
                     yield line
     yield from ("", FOOT, "")
-    yield (f"Commit {record.commit()}; gmsh {version_of_gmsh()} and CGAL of Debian; "
+    yield (f"Commit {record.commit()}; gmsh {version_of_gmsh()}, CGAL and ffbamg of Debian; "
            f"{record.cpu_model()}, load {os.getloadavg()[0]:.1f}.")
 
 
