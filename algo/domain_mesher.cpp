@@ -53,16 +53,17 @@ TreeBudgetExceeded at_smallest_cell(const Quadtree& tree, RefusalKind kind) {
 
 DomainMesher::DomainMesher(const Domain& domain, const SizeField& sizes, const Budget& budget,
                            bool is_last_root, std::vector<Split>& history,
-                           PolygonCounters& counters)
+                           PolygonCounters& counters, EdgeInsertion insertion)
     : domain_(domain),
       sizes_(sizes),
       deadline_(budget.max_seconds),
       separation_(placed_vertices(domain), budget),
       is_last_root_(is_last_root),
       history_(history),
-      counters_(counters) {}
+      counters_(counters),
+      insertion_(insertion) {}
 
-std::variant<DomainMesh, NeedsKites, NeedsOtherRoot> DomainMesher::run() {
+DomainMesher::Outcome DomainMesher::run() {
   try {
     return run_rounds();
   } catch (const TreeBudgetExceeded& exceeded) {
@@ -71,7 +72,7 @@ std::variant<DomainMesh, NeedsKites, NeedsOtherRoot> DomainMesher::run() {
   }
 }
 
-std::variant<DomainMesh, NeedsKites, NeedsOtherRoot> DomainMesher::run_rounds() {
+DomainMesher::Outcome DomainMesher::run_rounds() {
   separation_.apply_conditions();
   separation_.refine_five_by_five();
   counters_.cells_before = separation_.tree().leaf_count();
@@ -83,6 +84,7 @@ std::variant<DomainMesh, NeedsKites, NeedsOtherRoot> DomainMesher::run_rounds() 
     counters_.insertion = {};
     std::optional<DomainMesh> made = round();
     if (made) return std::move(*made);
+    if (fault_) return *fault_;
     if (auto kites = split_and_separate()) return std::move(*kites);
     if (dead_rounds_ > kDeadRounds && !is_last_root_) return NeedsOtherRoot{};
   }
@@ -169,6 +171,8 @@ bool DomainMesher::find_strips(TreeMesh& tree_mesh, KeptQuads& kept, std::vector
     return false;
   }
   if (!has_one_alpha_for_each_ring(tree_mesh, cut_quads, kept)) return false;
+  if (insertion_ == EdgeInsertion::kLemmas)
+    return insert_lemmas(tree_mesh, cut_quads, kept, strips);
   aligned_ = align_with_corners(domain_, tree_mesh, cut_quads, kept, counters_.insertion);
   return insert(tree_mesh, cut_quads, kept, strips);
 }
@@ -300,9 +304,24 @@ bool DomainMesher::insert(TreeMesh& tree_mesh, const CutQuads& cut_quads, const 
   return false;
 }
 
+bool DomainMesher::insert_lemmas(TreeMesh& tree_mesh, const CutQuads& cut_quads, KeptQuads& kept,
+                                 std::vector<Strip>& strips) {
+  counters_.lemmas.emplace();
+  auto made = insert_by_lemmas(domain_, tree_mesh, cut_quads, kept, *counters_.lemmas);
+  if (const auto* fault = std::get_if<LemmaFault>(&made)) {
+    fault_ = *fault;
+    return false;
+  }
+  strips.push_back(std::get<Strip>(std::move(made)));
+  return true;
+}
+
 /// Section 4. Where a kite cannot be filled, the cells at its corners are split.
 bool DomainMesher::fill(DomainMesh& made, const TreeMesh& tree_mesh) {
-  const KiteFilling filling = fill_kites(domain_, made);
+  const bool as_written = insertion_ == EdgeInsertion::kLemmas;
+  const KiteFilling filling =
+      fill_kites(domain_, made, as_written ? KiteShape::kPaper : KiteShape::kOurs);
+  if (counters_.lemmas) counters_.lemmas->kites_outside = filling.outside;
   counters_.kite_filling = filling.counters;
   for (const std::size_t failed : filling.failed) {
     const Kite& kite = domain_.kites[failed];

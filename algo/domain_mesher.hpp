@@ -14,6 +14,7 @@
 #include "algo/domain.hpp"
 #include "algo/domain_mesh.hpp"
 #include "algo/edge_insertion.hpp"
+#include "algo/insertion_by_lemmas.hpp"
 #include "algo/kept_quads.hpp"
 #include "algo/kite_filling.hpp"
 #include "algo/separation.hpp"
@@ -37,6 +38,7 @@ struct PolygonCounters {
   std::uint64_t kites = 0;
   std::uint64_t kept_quads = 0;
   KiteCounters kite_filling;
+  std::optional<LemmaCounters> lemmas;  ///< of EdgeInsertion::kLemmas
   InsertionCounters insertion;
 };
 
@@ -53,21 +55,29 @@ struct Split {
   int side_bits;
 };
 
+/// How edges, corners and kites are meshed: by our search along the whole chain, or by the cases of
+/// Lemmas 11 and 12 and Section 4 as written.
+enum class EdgeInsertion : std::uint8_t { kSearch, kLemmas };
+
 class DomainMesher {
  public:
+  using Outcome = std::variant<DomainMesh, NeedsKites, NeedsOtherRoot, LemmaFault>;
+
   /// `is_last_root`: never ask for another one. `history` is what earlier attempts in the same root
   /// square split, and grows; splits at vertices that are given a kite are left out. All arguments
   /// but the budget must outlive it.
   DomainMesher(const Domain& domain, const SizeField& sizes, const Budget& budget,
-               bool is_last_root, std::vector<Split>& history, PolygonCounters& counters);
+               bool is_last_root, std::vector<Split>& history, PolygonCounters& counters,
+               EdgeInsertion insertion = EdgeInsertion::kSearch);
 
   /// Guarantees: 1. every quad of the mesh has thm-13's angles, but for whole input angles and the
-  /// rounding that kSmallestSlack allows for. Throws: TreeBudgetExceeded, with the place of the
-  /// smallest cell where the cells ran out.
-  std::variant<DomainMesh, NeedsKites, NeedsOtherRoot> run();
+  /// rounding that kSmallestSlack allows for; not so with kLemmas. 2. LemmaFault comes with kLemmas
+  /// only, NeedsKites and NeedsOtherRoot with kSearch only. Throws: TreeBudgetExceeded, with the
+  /// place of the smallest cell where the cells ran out.
+  Outcome run();
 
  private:
-  std::variant<DomainMesh, NeedsKites, NeedsOtherRoot> run_rounds();
+  Outcome run_rounds();
   /// Empty where cells were put on to_split_.
   std::optional<DomainMesh> round();
   std::optional<NeedsKites> split_and_separate();
@@ -85,6 +95,8 @@ class DomainMesher {
   bool undo_alignment(TreeMesh& tree_mesh, const DeadEnd& dead);
   bool insert(TreeMesh& tree_mesh, const CutQuads& cut_quads, const KeptQuads& kept,
               std::vector<Strip>& strips);
+  bool insert_lemmas(TreeMesh& tree_mesh, const CutQuads& cut_quads, KeptQuads& kept,
+                     std::vector<Strip>& strips);
   bool fill(DomainMesh& made, const TreeMesh& tree_mesh);
   void split_around(const TreeMesh& tree_mesh, const std::vector<VertexId>& vertices);
   void blame_acute(const TreeMesh& tree_mesh, const CutQuads& cut_quads, VertexId vertex);
@@ -101,6 +113,8 @@ class DomainMesher {
   bool is_last_root_;
   std::vector<Split>& history_;
   PolygonCounters& counters_;
+  EdgeInsertion insertion_;
+  std::optional<LemmaFault> fault_;
   std::vector<Cell> to_split_;
   KnownCentres known_centres_;
   std::vector<AlignedCentre> aligned_;

@@ -481,10 +481,12 @@ struct Surroundings {
 class KiteFiller {
  public:
   KiteFiller(const Domain& domain, DomainMesh& made, const Surroundings& around, const Kite& kite,
-             KiteCounters& counters)
+             KiteShape shape, KiteFilling& filling)
       : mesh_(made.mesh),
         around_(around),
-        counters_(counters),
+        shape_(shape),
+        filling_(filling),
+        counters_(filling.counters),
         draft_(made.mesh),
         tip_(draft_.add({fine_point(kite.a, domain.root().exponent), kite.a})),
         p_{EdgeLine(domain, kite.p), {made.vertex_of[kite.v]}, false, made.vertex_of[kite.p], {}},
@@ -510,7 +512,10 @@ class KiteFiller {
       for (Side* side : {&p_, &q_})
         if (!fill_side(*side)) return forget(before);
       fill_tip();
-      if (!draft_.is_within_bounds(tip_)) return forget(before);
+    }
+    if (!draft_.is_within_bounds(tip_)) {
+      if (shape_ == KiteShape::kOurs) return forget(before);
+      ++filling_.outside;
     }
     std::move(draft_).carry_out(mesh_, level);
     return true;
@@ -535,7 +540,7 @@ class KiteFiller {
   bool fill_whole() {
     if (p_.steps() + q_.steps() != 0) return false;
     const Quad quad{tip_, p_.end(), p_.chain.front(), q_.end()};
-    if (!draft_.is_within(quad, tip_)) return false;
+    if (shape_ == KiteShape::kOurs && !draft_.is_within(quad, tip_)) return false;
     draft_.add_quad(quad, StripConstruction::kKiteWhole);
     ++counters_.whole;
     return true;
@@ -587,6 +592,7 @@ class KiteFiller {
     const VertexId moving = side.chain[side.steps()];
     const EndSearch search(draft_, mesh_, around_.quads, side, last, tip_);
     EndSearch::Result result = search.along_edges();
+    if (shape_ == KiteShape::kPaper) return move_along_edge(moving, result);
     const bool is_good = result.slack >= kGoodSlack;
     if (!is_good) result = search.in_plane(result);
     if (!(result.slack >= kSmallestSlack)) return !around_.on_boundary.empty() && relax(side, last);
@@ -594,6 +600,14 @@ class KiteFiller {
     draft_.move(moving, on_lattice_place(result.moving), around_.quads.at(moving));
     if (result.foot)
       draft_.move(side.end(), side.line.place(*result.foot), around_.quads.at(side.end()));
+    return true;
+  }
+
+  /// v_k stays where it is, with its 180 degrees, if no place along an edge of B was found.
+  bool move_along_edge(VertexId moving, const EndSearch::Result& result) {
+    if (result.slack <= -1) return true;
+    ++counters_.moved_along_edge;
+    draft_.move(moving, on_lattice_place(result.moving), around_.quads.at(moving));
     return true;
   }
 
@@ -618,18 +632,20 @@ class KiteFiller {
   /// The quad at the tip and the two beside it. With p' and q' at the feet of v', as in the paper,
   /// the angle at v' is 180 degrees less that at the tip: beyond the bound for tips below 8.13
   /// degrees. So p' and q' are nearer to the tip by a quarter of their distance from v', which
-  /// turns the edges to v' by arctan(1/4) = 14.04 degrees and leaves 152 less the tip at v'.
+  /// turns the edges to v' by arctan(1/4) = 14.04 degrees and leaves 152 less the tip at v'. Not so
+  /// with KiteShape::kPaper.
   ///
   /// Each of the three is measured from the one before, see `place` in kites.cpp.
   void fill_tip() {
     const double scale = 0.5 * std::min(part_at_first_step(p_), part_at_first_step(q_));
+    const double nearer = shape_ == KiteShape::kPaper ? 0 : 0.25;
     const VertexId v = p_.chain.front();
     const auto across = [&](const Side& side) {
       const Vector to_v = draft_.at(v) - side.foot;
-      return scale * (to_v - 0.25 * length(to_v) * unit_to_tip(side));
+      return scale * (to_v - nearer * length(to_v) * unit_to_tip(side));
     };
     const Vector to_p = p_.foot - draft_.at(tip_);
-    const double part = scale * (1 - 0.25 * length(draft_.at(v) - p_.foot) / length(to_p));
+    const double part = scale * (1 - nearer * length(draft_.at(v) - p_.foot) / length(to_p));
     const FinePoint tip = draft_.at(tip_);
     const VertexId p = draft_.add(p_.line.place(p_.line.foot_near(tip, part * to_p)));
     const VertexId middle =
@@ -649,6 +665,8 @@ class KiteFiller {
 
   Mesh& mesh_;
   const Surroundings& around_;
+  KiteShape shape_;
+  KiteFilling& filling_;
   KiteCounters& counters_;
   Draft draft_;
   VertexId tip_;
@@ -689,25 +707,27 @@ Surroundings wide_surroundings(const Domain& domain, const DomainMesh& made, con
 
 /// Returns those of the kites that fail.
 std::vector<std::size_t> fill(const Domain& domain, DomainMesh& made, const Surroundings& around,
-                              const std::vector<std::size_t>& kites, KiteCounters& counters) {
+                              const std::vector<std::size_t>& kites, KiteShape shape,
+                              KiteFilling& filling) {
   std::vector<std::size_t> failed;
   for (const std::size_t i : kites)
-    if (!KiteFiller(domain, made, around, domain.kites[i], counters).fill()) failed.push_back(i);
+    if (!KiteFiller(domain, made, around, domain.kites[i], shape, filling).fill())
+      failed.push_back(i);
   return failed;
 }
 
 }  // namespace
 
-KiteFilling fill_kites(const Domain& domain, DomainMesh& made) {
+KiteFilling fill_kites(const Domain& domain, DomainMesh& made, KiteShape shape) {
   KiteFilling filling;
   filling.failed.resize(domain.kites.size());
   std::iota(filling.failed.begin(), filling.failed.end(), std::size_t{0});
   if (filling.failed.empty()) return filling;
   const Surroundings sides = sides_of(domain, made);
-  filling.failed = fill(domain, made, sides, filling.failed, filling.counters);
+  filling.failed = fill(domain, made, sides, filling.failed, shape, filling);
   if (filling.failed.empty()) return filling;
   const Surroundings wide = wide_surroundings(domain, made, sides.quads, filling.failed);
-  filling.failed = fill(domain, made, wide, filling.failed, filling.counters);
+  filling.failed = fill(domain, made, wide, filling.failed, shape, filling);
   return filling;
 }
 

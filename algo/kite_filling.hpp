@@ -24,8 +24,12 @@ struct KiteCounters {
   std::uint64_t moved_with_neighbours = 0;
 };
 
+/// The tip, and where v_k may go: as we do it, or as Section 4 has it (paper/departures.md).
+enum class KiteShape : std::uint8_t { kOurs, kPaper };
+
 struct KiteFilling {
   std::vector<std::size_t> failed;  ///< indices into Domain::kites, ascending
+  std::size_t outside = 0;          ///< kites with angles outside thm-13's interval (kPaper)
   KiteCounters counters;
 };
 
@@ -34,7 +38,8 @@ struct KiteFilling {
 /// Guarantees: 1. The mesh covers the kites as well, those in `failed` excepted; it is conforming
 /// where it was. New vertices on the polygon are exactly on its edges, all others on the lattice.
 /// 2. The angles of every quad that is new or changed are within thm-13's interval by exact
-/// arithmetic, the input angle at a kite's tip excepted. 3. Vertices of B move only at kites that
+/// arithmetic, the input angle at a kite's tip excepted; with kPaper no kite is in `failed`, and
+/// those that break this are counted. 3. Vertices of B move only at kites that
 /// are not in `failed`: p and q along their edges of the polygon, the Steiner points next to them
 /// on the kite's sides, and, where that is not enough, vertices of the inside next to those.
 /// 4. construction and level, where known, are kept in step.
@@ -42,6 +47,6 @@ struct KiteFilling {
 /// a place, edges of B at p should leave arctan(1/2) or more to its two neighbours on the boundary;
 /// a kite where the search finds none fails.
 /// Complexity: linear in the mesh, and in the Steiner points on the kites' sides.
-KiteFilling fill_kites(const Domain& domain, DomainMesh& made);
+KiteFilling fill_kites(const Domain& domain, DomainMesh& made, KiteShape shape = KiteShape::kOurs);
 
 }  // namespace quadbound

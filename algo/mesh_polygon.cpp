@@ -90,6 +90,23 @@ class PolygonMesher {
     }
   }
 
+  LemmaMeshResult run_by_lemmas() {
+    try {
+      result_.root = place_root(points_, kRootShifts.front()).root;
+      const Domain domain = cut_kites(polygon_, result_.root, acute_vertices());
+      result_.counters.kites = domain.kites.size();
+      std::vector<Split> history;
+      auto made = DomainMesher(domain, sizes_, remaining(), true, history, result_.counters,
+                               EdgeInsertion::kLemmas)
+                      .run();
+      if (const auto* fault = std::get_if<LemmaFault>(&made)) return no_case(*fault);
+      take(std::get<DomainMesh>(std::move(made)));
+      return std::move(result_);
+    } catch (const TreeBudgetExceeded& exceeded) {
+      return refusal(exceeded);
+    }
+  }
+
  private:
   bool mesh_in_root(bool is_last) {
     std::vector<bool> cut = sharp_vertices(polygon_);
@@ -101,8 +118,7 @@ class PolygonMesher {
           DomainMesher(domain, sizes_, remaining(), is_last, history, result_.counters).run();
       if (std::holds_alternative<NeedsOtherRoot>(made)) return false;
       if (auto* mesh = std::get_if<DomainMesh>(&made)) {
-        result_.mesh = std::move(mesh->mesh);
-        result_.mesh.input_vertices = points_.size();
+        take(std::move(*mesh));
         return true;
       }
       const auto inputs = inputs_of(cut);
@@ -111,15 +127,39 @@ class PolygonMesher {
     }
   }
 
+  void take(DomainMesh made) {
+    result_.mesh = std::move(made.mesh);
+    result_.mesh.input_vertices = points_.size();
+  }
+
+  /// "Perform this procedure at every acute vertex."
+  [[nodiscard]] std::vector<bool> acute_vertices() const {
+    std::vector<bool> acute(points_.size());
+    const Domain whole = cut_kites(polygon_, result_.root, acute);
+    for (EdgeId v = 0; v < whole.size(); ++v) acute[v] = whole.is_acute(v);
+    return acute;
+  }
+
+  [[nodiscard]] Point in_input(LatticePoint point) const {
+    const int exponent = result_.root.exponent;
+    return {nearest_double(point.x, exponent), nearest_double(point.y, exponent)};
+  }
+
+  [[nodiscard]] NoCase no_case(const LemmaFault& fault) const {
+    const Point where = in_input(fault.where);
+    return {
+        std::string(fault.claim), where,
+        fmt::format("{} has no case near ({}, {}): {}", fault.claim, where.x, where.y, fault.what),
+        *result_.counters.lemmas};
+  }
+
   [[nodiscard]] Budget remaining() const {
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start_;
     return {options_.budget.max_cells, std::max(0.0, options_.budget.max_seconds - spent.count())};
   }
 
   [[nodiscard]] Refusal refusal(const TreeBudgetExceeded& exceeded) const {
-    const RootSquare& root = result_.root;
-    const Point where{nearest_double(exceeded.where.x, root.exponent),
-                      nearest_double(exceeded.where.y, root.exponent)};
+    const Point where = in_input(exceeded.where);
     return {exceeded.kind, where, exceeded.level, explain(exceeded, where)};
   }
 
@@ -160,6 +200,10 @@ class PolygonMesher {
 
 PolygonMeshResult mesh_polygon(const Polygon& polygon, const PolygonMeshOptions& options) {
   return PolygonMesher(polygon, options).run();
+}
+
+LemmaMeshResult mesh_polygon_by_lemmas(const Polygon& polygon, const PolygonMeshOptions& options) {
+  return PolygonMesher(polygon, options).run_by_lemmas();
 }
 
 }  // namespace quadbound

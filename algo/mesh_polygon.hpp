@@ -25,6 +25,15 @@ struct PolygonMesh {
 
 using PolygonMeshResult = std::variant<PolygonMesh, Refusal>;
 
+/// Where the paper has no case.
+struct NoCase {
+  std::string claim;  ///< its id
+  Point where;
+  std::string message;  ///< one line, of the first
+  LemmaCounters counters;
+};
+using LemmaMeshResult = std::variant<PolygonMesh, Refusal, NoCase>;
+
 /// Meshes the inside of a polygon.
 ///
 /// Guarantees (thm-13): 1. the mesh covers exactly the inside: its boundary is the polygon, edges
@@ -37,5 +46,13 @@ using PolygonMeshResult = std::variant<PolygonMesh, Refusal>;
 /// Requires: validate(polygon) passes; the polygon is normalised.
 /// Complexity: linear in the cells of all rounds and their vertices, O(n log n) in the polygon.
 PolygonMeshResult mesh_polygon(const Polygon& polygon, const PolygonMeshOptions& options = {});
+
+/// The same by the paper's own constructions: kites at all acute vertices, Lemmas 11 and 12 by
+/// their cases, Section 4 as written (EdgeInsertion::kLemmas). For comparison.
+///
+/// Guarantees: 1. as above but for 2.: the judge says which meshes keep the bounds, and
+/// counters.lemmas which pieces do not. 2. no cell is split because a case fails.
+LemmaMeshResult mesh_polygon_by_lemmas(const Polygon& polygon,
+                                       const PolygonMeshOptions& options = {});
 
 }  // namespace quadbound

@@ -20,7 +20,7 @@ class Assembly {
   }
 
   DomainMesh run(const std::vector<Strip>& strips) {
-    number_kept_vertices();
+    number_kept_vertices(strips);
     reserve(strips);
     add_kept_quads();
     for (EdgeId site = 0; site < domain_.size(); ++site)
@@ -31,12 +31,17 @@ class Assembly {
   }
 
  private:
-  void number_kept_vertices() {
+  /// Strips of EdgeInsertion::kLemmas have vertices of Q that no kept quad has: ends of spikes.
+  void number_kept_vertices(const std::vector<Strip>& strips) {
     const Mesh& q = tree_mesh_.mesh();
     number_.assign(q.vertices.size(), kNoVertex);
     for (QuadId quad = 0; quad < q.quads.size(); ++quad)
       if (kept_.is_kept[quad])
         for (const VertexId v : q.quads[quad]) number_[v] = 0;
+    for (const Strip& strip : strips)
+      for (const StripQuad& quad : strip.quads)
+        for (const StripVertex& v : quad.corners)
+          if (v.kind == StripVertex::Kind::kMesh) number_[v.id] = 0;
     for (VertexId v = 0; v < number_.size(); ++v)
       if (number_[v] == 0) number_[v] = made_.mesh.vertices.add(tree_mesh_.at(v));
   }

@@ -11,9 +11,9 @@
 
 namespace quadbound {
 
-/// Guarantees: 1. the vertices of K first, in the order of Q, then those of the domain, then the
-/// feet by edge and place, then Steiner points. 2. a foot that two pieces share is one vertex.
-/// Complexity: linear, and sorting the feet.
+/// Guarantees: 1. the vertices of K and of alpha first, in the order of Q, then those of the
+/// domain, then the feet by edge and place, then Steiner points. 2. a foot that two pieces share is
+/// one vertex. Complexity: linear, and sorting the feet.
 DomainMesh assemble(const Domain& domain, const TreeMesh& tree_mesh, const KeptQuads& kept,
                     const std::vector<Strip>& strips);
 

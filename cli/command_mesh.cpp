@@ -39,6 +39,7 @@ struct MeshOptions {
   bool quiet = false;
   unsigned threads = 1;
   PointMeshOptions mesh;  ///< the budget also for polygons
+  EdgeInsertion insertion = EdgeInsertion::kSearch;
   Sizing sizing;
   std::vector<std::string> refine_near;
   std::string size_field;
@@ -53,6 +54,8 @@ const std::map<std::string, TwoTwoVariant> kTwoTwo{{"exact", TwoTwoVariant::kExa
                                                    {"paper", TwoTwoVariant::kPaper}};
 const std::map<std::string, Warping> kWarpings{{"aligned", Warping::kAligned},
                                                {"paper", Warping::kPaper}};
+const std::map<std::string, EdgeInsertion> kInsertions{{"search", EdgeInsertion::kSearch},
+                                                       {"paper", EdgeInsertion::kLemmas}};
 const std::map<std::string, PictureColour> kColours{{"none", PictureColour::kNone},
                                                     {"min-angle", PictureColour::kMinAngle},
                                                     {"max-angle", PictureColour::kMaxAngle},
@@ -108,9 +111,12 @@ std::vector<Point> input_points(const Made& made) {
   return result;
 }
 
-std::nullopt_t refused(const MeshOptions& options, const Refusal& refusal) {
+/// What was made, or the status to end with.
+using MeshOutcome = std::variant<Made, ExitStatus>;
+
+ExitStatus refused(const MeshOptions& options, const Refusal& refusal) {
   fmt::print(stderr, "quadbound: {}: {}\n", options.input, refusal.message);
-  return std::nullopt;
+  return kBudgetRanOut;
 }
 
 /// Cells grow by this part of the distance from what they are refined near: neighbours differ by a
@@ -167,8 +173,8 @@ Sizing sizing_of(const MeshOptions& options) {
   return sizing;
 }
 
-/// nullopt, with a line on standard error, where a budget ran out.
-std::optional<Made> make_point_mesh(const MeshOptions& options, Progress& progress) {
+/// Says on standard error why there is no mesh.
+MeshOutcome make_point_mesh(const MeshOptions& options, Progress& progress) {
   PointSet points = read_points(options.input);
   validate(points);
   progress.stage("building the quadtree and the quads");
@@ -177,11 +183,24 @@ std::optional<Made> make_point_mesh(const MeshOptions& options, Progress& progre
   return Made{std::move(points), std::get<PointMesh>(std::move(result)).mesh, std::nullopt};
 }
 
-std::optional<Made> make_polygon_mesh(const MeshOptions& options, Progress& progress) {
+LemmaMeshResult mesh_by(EdgeInsertion insertion, const Polygon& polygon,
+                        const PolygonMeshOptions& options) {
+  if (insertion == EdgeInsertion::kLemmas) return mesh_polygon_by_lemmas(polygon, options);
+  PolygonMeshResult result = mesh_polygon(polygon, options);
+  if (auto* refusal = std::get_if<Refusal>(&result)) return std::move(*refusal);
+  return std::get<PolygonMesh>(std::move(result));
+}
+
+MeshOutcome make_polygon_mesh(const MeshOptions& options, Progress& progress) {
   Polygon polygon = normalised(read_polygon(options.input));
   progress.stage("meshing");
-  PolygonMeshResult result = mesh_polygon(polygon, {options.mesh.budget, sizing_of(options)});
+  LemmaMeshResult result =
+      mesh_by(options.insertion, polygon, {options.mesh.budget, sizing_of(options)});
   if (const auto* refusal = std::get_if<Refusal>(&result)) return refused(options, *refusal);
+  if (const auto* no_case = std::get_if<NoCase>(&result)) {
+    fmt::print(stderr, "quadbound: {}: {}\n", options.input, no_case->message);
+    return kClaimFailed;
+  }
   PolygonMesh& made = std::get<PolygonMesh>(result);
   return Made{std::move(polygon), std::move(made.mesh), made.counters};
 }
@@ -202,22 +221,22 @@ ExitStatus mesh(const MeshOptions& options) {
   for (const std::string& path : options.outputs) output_format(path);  // refuse before the work
   Progress progress;
   progress.stage("reading");
-  const std::optional<Made> made =
+  const MeshOutcome outcome =
       options.points ? make_point_mesh(options, progress) : make_polygon_mesh(options, progress);
-  if (!made) return kBudgetRanOut;
+  if (const auto* status = std::get_if<ExitStatus>(&outcome)) return *status;
+  const Made& made = std::get<Made>(outcome);
   if (!options.no_verify) {
     progress.stage("proving the mesh");
-    if (!prove(*made, options)) return kClaimFailed;
+    if (!prove(made, options)) return kClaimFailed;
   }
   progress.stage("writing");
   for (const std::string& path : options.outputs)
-    write_mesh(path, made->mesh, write_options(options, input_points(*made)));
+    write_mesh(path, made.mesh, write_options(options, input_points(made)));
   if (!options.statistics.empty())
-    write_file(options.statistics, [&made](std::ostream& stream) {
-      stream << statistics_json(made->mesh, made->counters);
-    });
+    write_file(options.statistics,
+               [&](std::ostream& stream) { stream << statistics_json(made.mesh, made.counters); });
   if (!options.quiet)
-    fmt::print(stderr, "{}; {}\n", summary(made->mesh, options.points ? "points" : "vertices"),
+    fmt::print(stderr, "{}; {}\n", summary(made.mesh, options.points ? "points" : "vertices"),
                options.no_verify ? "not verified"
                : options.points  ? "thm-1 proved"
                                  : "thm-13 proved");
@@ -293,7 +312,13 @@ CLI::Validator numbers_with_size() {
       "X,Y,SIZE|X0,Y0,X1,Y1,SIZE");
 }
 
-void add_sizing_options(CLI::App& command, MeshOptions& options) {
+void add_polygon_options(CLI::App& command, MeshOptions& options) {
+  command
+      .add_option("--insertion", options.insertion,
+                  "how edges, corners and kites are meshed: by our search, or by the paper's cases "
+                  "(Lemmas 11 and 12, Section 4), which break the bounds on most polygons")
+      ->transform(CLI::CheckedTransformer(kInsertions))
+      ->option_text("search|paper (default search)");
   command
       .add_option("--max-size", options.sizing.largest,
                   "no quadtree cell inside is wider than this")
@@ -314,7 +339,8 @@ void add_sizing_options(CLI::App& command, MeshOptions& options) {
                   "and this part of the distance to it more inside")
       ->check(positive_number(true))
       ->needs("--boundary-size");
-  for (const char* name : {"--max-size", "--refine-near", "--size-field", "--boundary-size"})
+  for (const char* name :
+       {"--insertion", "--max-size", "--refine-near", "--size-field", "--boundary-size"})
     command.get_option(name)->excludes("--points");
 }
 
@@ -343,7 +369,7 @@ void add_mesh_command(CLI::App& app, Outcome& outcome) {
       ->capture_default_str();
   command->add_flag("-q,--quiet", options->quiet, "no summary");
   add_construction_options(*command, options->mesh);
-  add_sizing_options(*command, *options);
+  add_polygon_options(*command, *options);
   add_picture_options(*command, *options);
   command->callback([options, &outcome] { outcome.status = mesh(*options); });
 }

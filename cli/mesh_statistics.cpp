@@ -70,6 +70,14 @@ Json section_3_4(const PolygonCounters& counters) {
           {"alignments_undone", insertion.moves_undone}};
 }
 
+Json lemmas(const LemmaCounters& counters) {
+  return {
+      {"strips_by_edges_of_alpha", counters.strips}, {"corners_by_case", counters.corners},
+      {"replaced_chains", counters.replaced_chains}, {"moved_feet", counters.moved_feet},
+      {"strips_outside", counters.strips_outside},   {"corners_outside", counters.corners_outside},
+      {"kites_outside", counters.kites_outside}};
+}
+
 }  // namespace
 
 std::string statistics_json(const Mesh& mesh, const std::optional<PolygonCounters>& counters) {
@@ -78,6 +86,7 @@ std::string statistics_json(const Mesh& mesh, const std::optional<PolygonCounter
   add_shape(json, mesh_shape(mesh));
   add_constructions(json, mesh);
   if (counters) json["section_3_4"] = section_3_4(*counters);
+  if (counters && counters->lemmas) json["lemmas"] = lemmas(*counters->lemmas);
   return json.dump(1) + "\n";
 }
 

@@ -18,7 +18,8 @@ namespace quadbound::cli {
 /// - "scaled_jacobian" and "aspect_ratio" (model/quad_shape.hpp): "smallest", "mean", "largest" and
 ///   a "histogram" of [lower end, upper end, quads], where the last class has no upper end;
 /// - "constructions": quads by the construction they come from;
-/// - "section_3_4": for polygons, what the mesher did (PolygonCounters).
+/// - "section_3_4": for polygons, what the mesher did (PolygonCounters);
+/// - "lemmas": with --insertion paper, its cases and those outside the bounds (LemmaCounters).
 ///
 /// Guarantees: 1. the same mesh gives the same bytes. Complexity: linear.
 std::string statistics_json(const Mesh& mesh, const std::optional<PolygonCounters>& counters);

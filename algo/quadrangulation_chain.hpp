@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// Section 3.1: the quadrangulation chain alpha of each edge, spikes included.
+//
+// Used only where a polygon is meshed by the paper's own cases (EdgeInsertion::kLemmas); else alpha
+// is the boundary of the kept quads (algo/kept_quads.hpp).
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "algo/cut_quads.hpp"
+#include "algo/domain.hpp"
+#include "algo/tree_mesh.hpp"
+
+namespace quadbound {
+
+/// alpha = E_1 E_2 ... E_k of one edge.
+class QuadrangulationChain {
+ public:
+  QuadrangulationChain(const Domain& domain, const TreeMesh& tree_mesh,
+                       const std::vector<Cut>& in_order);
+
+  /// alpha_i: the shortest part from one vertex to another, less what it runs along twice; nullopt
+  /// where there is none.
+  [[nodiscard]] std::optional<std::vector<VertexId>> part(VertexId from, VertexId to) const;
+
+ private:
+  std::vector<VertexId> vertices_;                        ///< kNoVertex where it is not connected
+  std::vector<std::pair<VertexId, std::size_t>> places_;  ///< sorted
+};
+
+/// By edge, in the order along it.
+std::vector<std::vector<Cut>> cuts_by_edge(const Domain& domain, const CutQuads& cut_quads);
+
+/// "We choose instead a chain of edges in Q lying above c_i c_(i+1)", read as: the upper boundary
+/// of the quads that the segment cuts. nullopt where that is no chain from one end to the other.
+std::optional<std::vector<VertexId>> chain_above(const TreeMesh& tree_mesh, VertexId from,
+                                                 VertexId to);
+
+/// Whether a vertex of a chain is below the segment between its ends, exactly.
+bool runs_under(const TreeMesh& tree_mesh, const std::vector<VertexId>& chain);
+
+}  // namespace quadbound
