@@ -60,6 +60,7 @@ class CairoCanvas : public Canvas {
   void dots(const std::vector<Point>& centres, Colour colour, double radius) override {
     set(colour);
     for (const Point& centre : centres) {
+      cairo_new_sub_path(context_);  // after a text, no line leads from its end to the arc
       cairo_arc(context_, centre.x, centre.y, radius, 0, 2 * std::numbers::pi);
       cairo_fill(context_);
     }

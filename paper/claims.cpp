@@ -222,6 +222,10 @@ class Comparison {
   }
 
   void quality() {
+    add("fig-44", "scaled Jacobians of both meshes, scattered", "a picture", "fig-44.svg",
+        Verdict::kOwnPolygon);
+    add("fig-45", "aspect ratios of both meshes, scattered", "a picture", "fig-45.svg",
+        Verdict::kOwnPolygon);
     add_shape("fig-49", "spiral", "0.017576", "14.83");
     add_shape("fig-50", "Lake Superior", "0.001242", "-");
     add("table-2", "vertices by their degree", "a table", "see below", Verdict::kNotReproducible,

@@ -14,6 +14,7 @@
 #include "paper/records.hpp"
 #include "paper/report_page.hpp"
 #include "paper/reproduction_files.hpp"
+#include "paper/shape_chart.hpp"
 
 namespace quadbound {
 namespace {
@@ -148,6 +149,22 @@ std::vector<DocumentPicture> write_polygon_pictures(const ResultFolder& folder,
   return pictures;
 }
 
+std::vector<DocumentPicture> write_shape_charts(const ResultFolder& folder, const Reproduction& r) {
+  const Mesh& spiral = r.polygon("fig-49").mesh;
+  const Mesh& lake = r.polygon("fig-50").mesh;
+  std::vector<DocumentPicture> pictures;
+  const auto add = [&](const std::string& name, const std::string& caption,
+                       const VectorPicture& chart) {
+    folder.write(name + ".svg", chart.svg);
+    folder.write(name + ".pdf", chart.pdf);
+    pictures.push_back({name + ".svg", name + ": " + caption, chart.svg, {name}});
+  };
+  add("fig-44", "scaled Jacobians, the sine of the angle at each corner of each quad.",
+      scaled_jacobian_chart(spiral, lake));
+  add("fig-45", "aspect ratio of each quad.", aspect_ratio_chart(spiral, lake));
+  return pictures;
+}
+
 /// The meshes of the figures, and the parts of them that figures magnify.
 void add_viewer(ReportPictures& pictures, const Reproduction& r) {
   const auto add = [&](const std::string& id, const std::string& text, const Mesh& mesh,
@@ -185,6 +202,7 @@ ReportPictures write_all_pictures(const ResultFolder& folder, const Reproduction
   magnified.width = 1000;
   pictures.magnified = write_pictures(folder, "fig-10-magnified", r.lake->mesh, magnified);
   pictures.polygons = write_polygon_pictures(folder, r);
+  pictures.shapes = write_shape_charts(folder, r);
   pictures.chart = cells_per_point_chart(r);
   folder.write("n-against-N.svg", pictures.chart);
   add_viewer(pictures, r);

@@ -283,10 +283,12 @@ void add_polygons(Document& d, const Reproduction& r, const ReportPictures& pict
   d.push_back(Paragraph{
       "Quads by their scaled Jacobian, the least of the sines of their angles (fig-44):"});
   d.push_back(shape_table(r, &MeshShape::scaled_jacobian));
+  d.push_back(pictures.shapes.front());
   d.push_back(Paragraph{
       "Quads by their aspect ratio (fig-45). The longest ones of the lake fill the sharp ends of "
       "its acute input angles:"});
   d.push_back(shape_table(r, &MeshShape::aspect_ratio));
+  d.push_back(pictures.shapes.back());
 }
 
 /// Last, because they link to all the rest.

@@ -31,6 +31,7 @@ std::string machine_json(const Reproduction& reproduction);
 /// The pictures' bytes for the HTML; the Markdown links to the files of the same names.
 struct ReportPictures {
   std::vector<DocumentPicture> polygons;
+  std::vector<DocumentPicture> shapes;  ///< fig-44 and fig-45
   std::string chart;      ///< n-against-N.svg
   std::string whole;      ///< fig-10-whole.png
   std::string magnified;  ///< fig-10-magnified.png
