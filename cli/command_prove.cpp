@@ -41,7 +41,7 @@ class CensusWatcher final : public Watcher {
 ExitStatus audit(const ProveCommand& options) {
   const LemmaAudits audits = [&options] {
     CensusWatcher watcher;
-    return audit_paper_lemmas(options.trees, watcher);
+    return audit_paper_lemmas(options.trees, {}, watcher);
   }();
   fmt::print("{}\n", to_text(audits));
   for (const PaperClaim& claim : lemma_claims(audits))
@@ -85,10 +85,10 @@ void add_prove_command(CLI::App& app, Outcome& outcome) {
       "shape is\n"
       "never met, or a shape is met that is not listed.\n"
       "lemmas: Observations 1 and 2, Table 1 and Lemmas 2 to 12, decided in integers on random "
-      "trees "
-      "cut by\n"
-      "lines and on corners. Status 1 if what is said to hold was broken, or a counterexample is "
-      "none.\n"
+      "trees cut\n"
+      "by lines, on trees of polygons cut by their edges' lines, and on corners. Status 1 if what "
+      "is said\n"
+      "to hold was broken, or a counterexample is none.\n"
       "insertion: how many polygons of all families, or of files, the paper's own constructions "
       "(Lemmas 11\n"
       "and 12 by their cases, Section 4 as written) mesh within the bounds, against ours.\n\n"

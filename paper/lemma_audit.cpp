@@ -90,32 +90,37 @@ void CheckLedger::count(Check check, bool holds, std::initializer_list<VertexId>
   tally.where = place_text(tree_, where);
 }
 
+/// What fails without a line is noted with the first one.
+void audit_tree(const CutTree& tree, TwoTwoVariant two_two, std::span<const CutLine> lines,
+                LemmaAudit& audit) {
+  ++audit.trees;
+  CheckLedger ledger(tree, two_two, audit);
+  if (!lines.empty()) ledger.set_line(lines.front());
+  check_quadrangulation(tree, ledger);
+  for (const CutLine& line : lines) {
+    ledger.set_line(line);
+    check_line(tree, line, ledger);
+    ++audit.lines;
+  }
+}
+
 LemmaAudit audit_lemmas(const LemmaAuditOptions& options, Watcher& watcher) {
   LemmaAudit audit;
-  for (; audit.trees < options.trees; ++audit.trees) {
+  while (audit.trees < options.trees) {
     watcher.steps(audit.trees, options.trees);
     RandomIntegers random(audit.trees);
     const CutTree tree(random_cut_tree(random), options.two_two);
-    CheckLedger ledger(tree, options.two_two, audit);
-    check_quadrangulation(tree, ledger);
-    for (std::uint64_t i = 0; i < options.lines_per_tree; ++i) {
-      const CutLine line = random_cut_line(tree, random);
-      ledger.set_line(line);
-      check_line(tree, line, ledger);
-      ++audit.lines;
-    }
+    std::vector<CutLine> lines;
+    for (std::uint64_t i = 0; i < options.lines_per_tree; ++i)
+      lines.push_back(random_cut_line(tree, random));
+    audit_tree(tree, options.two_two, lines, audit);
   }
   return audit;
 }
 
 void audit_case(const CutTreeCase& cut_case, LemmaAudit& audit) {
-  ++audit.trees;
-  ++audit.lines;
   const CutTree tree(tree_with(cut_case.split), cut_case.two_two);
-  CheckLedger ledger(tree, cut_case.two_two, audit);
-  ledger.set_line(cut_case.line);
-  check_quadrangulation(tree, ledger);
-  check_line(tree, cut_case.line, ledger);
+  audit_tree(tree, cut_case.two_two, {&cut_case.line, 1}, audit);
 }
 
 LemmaAudit audit_case(const CutTreeCase& cut_case) {

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -106,6 +107,10 @@ struct LemmaAuditOptions {
 
 /// Guarantees: 1. the same options give the same counts. Complexity: about 1 ms for a tree.
 LemmaAudit audit_lemmas(const LemmaAuditOptions& options, Watcher& watcher);
+
+/// A tree and lines through it, counted in addition.
+void audit_tree(const CutTree& tree, TwoTwoVariant two_two, std::span<const CutLine> lines,
+                LemmaAudit& audit);
 
 /// One input, counted in addition.
 void audit_case(const CutTreeCase& cut_case, LemmaAudit& audit);

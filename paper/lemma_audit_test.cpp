@@ -5,12 +5,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <string>
 
+#include "generators/polygons.hpp"
 #include "paper/corner_audit.hpp"
 #include "paper/edge_chains.hpp"
 #include "paper/lemma_claims.hpp"
 #include "paper/lemma_counterexamples.hpp"
+#include "paper/polygon_trees.hpp"
 
 namespace quadbound {
 namespace {
@@ -53,10 +56,67 @@ TEST(LemmaAudit, SmallerCaseDropsWhatIsNotNeeded) {
 
 TEST(LemmaAudit, VerdictsAreThoseThatAreSaid) {
   NoWatcher nobody;
-  const LemmaAudits audits = audit_paper_lemmas(300, nobody);
+  const LemmaAudits audits = audit_paper_lemmas(300, {}, nobody);
   for (const PaperClaim& claim : lemma_claims(audits))
     EXPECT_NE(claim.verdict, PaperVerdict::kFails) << claim.id << ": " << claim.what << claim.ours;
   EXPECT_TRUE(lemmas_hold(audits));
+  EXPECT_EQ(audits.polygon_trees.polygons, 2U);
+}
+
+/// Every family has trees, on which every check is asked often.
+TEST(PolygonTrees, OfAllFamilies) {
+  NoWatcher nobody;
+  const PolygonTreesAudit audit = audit_polygon_trees(24, {}, nobody);
+  EXPECT_EQ(audit.polygons, 24U);
+  EXPECT_EQ(audit.refused, 0U);
+  EXPECT_EQ(audit.audit.trees, 96U);
+  for (const CheckTally& tally : audit.audit.checks) EXPECT_GT(tally.looked_at, 1000U);
+}
+
+/// In one of the four turns, through both vertices; twice where it is a diagonal of cells.
+TEST(PolygonTrees, EveryEdgeHasItsLine) {
+  const Polygon polygon = generate_polygon(parse_polygon_recipe("blob:n=13,seed=1,holes=1"));
+  std::size_t lines = 0;
+  for (int turns = 0; turns < 4; ++turns) {
+    const auto made = tree_of_polygon(polygon, turns);
+    ASSERT_TRUE(made);
+    ASSERT_EQ(made->vertices.size(), 19U);
+    for (const CutLine& line : made->lines) {
+      EXPECT_GT(line.dx, 0);
+      EXPECT_LE(std::abs(line.dy), line.dx);
+      const auto on_line = [&line](LatticePoint p) { return framed(line, p).h == 0; };
+      EXPECT_GE(std::count_if(made->vertices.begin(), made->vertices.end(), on_line), 2);
+    }
+    lines += made->lines.size();
+  }
+  EXPECT_EQ(lines, 19U);
+}
+
+/// Equal leaves around each vertex, and none has two.
+TEST(PolygonTrees, VerticesAreSeparated) {
+  const Polygon polygon = generate_polygon(parse_polygon_recipe("growth:n=48,seed=1"));
+  const auto made = tree_of_polygon(polygon, 1);
+  ASSERT_TRUE(made);
+  const CutTree tree(made->tree, TwoTwoVariant::kExact);
+  for (const LatticePoint& vertex : made->vertices) {
+    const CellSquare cell = tree.square(tree.tree().leaf_at(vertex));
+    for (std::int64_t i = -2; i <= 2; ++i)
+      for (std::int64_t j = -2; j <= 2; ++j)
+        EXPECT_EQ(
+            tree.square(tree.tree().leaf_at({vertex.x + i * cell.side, vertex.y + j * cell.side}))
+                .side,
+            cell.side);
+    EXPECT_EQ(std::count_if(made->vertices.begin(), made->vertices.end(),
+                            [&](LatticePoint other) {
+                              return tree.square(tree.tree().leaf_at(other)).low == cell.low;
+                            }),
+              1);
+  }
+}
+
+TEST(PolygonTrees, NoneWhereRoundingMergesVertices) {
+  EXPECT_FALSE(tree_of_polygon({"close", {{{0, 0}, {1, 0}, {1, 0x1p-30}}}}, 0));
+  EXPECT_TRUE(tree_of_polygon({"wide", {{{0, 0}, {1, 0}, {1, 0.5}}}}, 0));
 }
 
 /// Effective cases: every check was asked often, every delta of Table 1 and every chain of Lemma 11

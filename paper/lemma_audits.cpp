@@ -4,8 +4,15 @@
 #include "paper/lemma_counterexamples.hpp"
 
 namespace quadbound {
+namespace {
 
-LemmaAudits audit_paper_lemmas(std::uint64_t trees, Watcher& watcher) {
+/// The trees of a polygon take about as long as so many random ones.
+constexpr std::uint64_t kTreesPerPolygon = 150;
+
+}  // namespace
+
+LemmaAudits audit_paper_lemmas(std::uint64_t trees, const std::vector<Polygon>& polygons,
+                               Watcher& watcher) {
   LemmaAudits audits;
   watcher.stage("lemmas 2 to 11");
   LemmaAuditOptions options{trees};
@@ -17,6 +24,8 @@ LemmaAudits audit_paper_lemmas(std::uint64_t trees, Watcher& watcher) {
   for (const LemmaCounterexample& c : lemma_counterexamples())
     audit_case(c.cut_case,
                c.cut_case.two_two == TwoTwoVariant::kPaper ? audits.moved_centres : audits.audit);
+  watcher.stage("lemmas 2 to 11, trees of polygons");
+  audits.polygon_trees = audit_polygon_trees(trees / kTreesPerPolygon, polygons, watcher);
   watcher.stage("lemma 12");
   audits.corners = audit_corners(10 * trees);
   return audits;

@@ -34,6 +34,8 @@ const std::vector<LemmaCounterexample>& lemma_counterexamples() {
   const Nodes nodes_8{{1, 1, 0}, {1, 0, 1}, {1, 1, 1}, {2, 2, 2}, {2, 2, 3}};
   const Nodes nodes_9{{1, 0, 0}, {1, 1, 0}, {1, 0, 1}, {1, 1, 1}, {2, 1, 1},
                       {2, 2, 1}, {2, 3, 1}, {2, 2, 2}, {3, 4, 3}, {3, 5, 3}};
+  const Nodes nodes_10{{1, 0, 0}, {1, 1, 0}, {1, 0, 1}, {1, 1, 1}, {2, 2, 1},
+                       {2, 1, 2}, {2, 2, 2}, {2, 2, 3}, {3, 4, 4}, {3, 4, 5}};
   static const std::vector<LemmaCounterexample> list{
       counterexample(Check::kNorthAbove, true, nodes_1, {128, 176}, 1, -1),
       counterexample(Check::kOrderAsWritten, true, nodes_1, {128, 144}, 1, -1),
@@ -53,6 +55,8 @@ const std::vector<LemmaCounterexample>& lemma_counterexamples() {
       counterexample(Check::kFeetInOrder, true, nodes_6, {128, 184}, 7, -3, TwoTwoVariant::kPaper),
       counterexample(Check::kSimplePolygon, true, nodes_6, {128, 144}, 7, 6, TwoTwoVariant::kPaper),
       counterexample(Check::kAnglesAtCentres, true, nodes_6, {128, 184}, 5, -1,
+                     TwoTwoVariant::kPaper),
+      counterexample(Check::kTwoEdgesStrict, true, nodes_10, {128, 154}, 7, -1,
                      TwoTwoVariant::kPaper),
       counterexample(Check::kTwoEdgesSmall, true, nodes_6, {128, 144}, 7, 6, TwoTwoVariant::kPaper),
   };

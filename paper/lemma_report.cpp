@@ -16,17 +16,19 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 TextTable checks_table(const LemmaAudits& audits) {
-  TextTable table{
-      {"claim", "statement", "looked at", "fail", "in general position", "fail with moved centres"},
-      {}};
+  TextTable table{{"claim", "statement", "looked at", "fail", "in general position",
+                   "fail with moved centres", "fail on trees of polygons"},
+                  {}};
+  const auto of = [](const CheckTally& t) {
+    return fmt::format("{} of {}", with_commas(t.failed), with_commas(t.looked_at));
+  };
   for (std::size_t i = 0; i < kCheckCount; ++i) {
     const CheckDescription& d = describe(static_cast<Check>(i));
     const CheckTally& t = audits.audit.checks[i];
-    const CheckTally& moved = audits.moved_centres.checks[i];
-    table.rows.push_back(
-        {std::string(d.id), std::string(d.what), with_commas(t.looked_at), with_commas(t.failed),
-         with_commas(t.failed_in_general_position),
-         fmt::format("{} of {}", with_commas(moved.failed), with_commas(moved.looked_at))});
+    table.rows.push_back({std::string(d.id), std::string(d.what), with_commas(t.looked_at),
+                          with_commas(t.failed), with_commas(t.failed_in_general_position),
+                          of(audits.moved_centres.checks[i]),
+                          of(audits.polygon_trees.audit.checks[i])});
   }
   return table;
 }
@@ -97,6 +99,13 @@ Json json_of(const LemmaAudit& audit) {
   return json;
 }
 
+Json json_of(const PolygonTreesAudit& trees) {
+  Json json = json_of(trees.audit);
+  json["polygons"] = trees.polygons;
+  json["refused"] = trees.refused;
+  return json;
+}
+
 Json json_of(const CornerAudit& audit) {
   Json json{{"corners", audit.corners}, {"by_edges", audit.by_edges}, {"checks", Json::array()}};
   for (std::size_t i = 0; i < kCornerCheckCount; ++i) {
@@ -113,13 +122,19 @@ Json json_of(const CornerAudit& audit) {
 std::string lemma_json(const LemmaAudits& audits) {
   return Json{{"audit", json_of(audits.audit)},
               {"moved_centres", json_of(audits.moved_centres)},
+              {"polygon_trees", json_of(audits.polygon_trees)},
               {"corners", json_of(audits.corners)}}
       .dump();
 }
 
 std::string to_text(const LemmaAudits& audits) {
   return to_text(audits.audit) + "\nWith the centres that Fig. 8a moves:\n" +
-         to_text(audits.moved_centres) + "\nLemma 12:\n" + to_text(audits.corners);
+         to_text(audits.moved_centres) +
+         fmt::format(
+             "\nOn trees of polygons, {} of them without a tree: {} polygons, turned four "
+             "times, ",
+             audits.polygon_trees.refused, audits.polygon_trees.polygons) +
+         to_text(audits.polygon_trees.audit) + "\nLemma 12:\n" + to_text(audits.corners);
 }
 
 std::vector<Block> lemma_section(const LemmaAudits& audits) {
@@ -143,6 +158,13 @@ std::vector<Block> lemma_section(const LemmaAudits& audits) {
       "the paper's own case 2,2 (Fig. 8a). Also: `quadbound prove lemmas`.",
       with_commas(audit.trees), with_commas(audit.lines),
       with_commas(audits.moved_centres.trees))});
+  const PolygonTreesAudit& of_polygons = audits.polygon_trees;
+  blocks.emplace_back(Paragraph{fmt::format(
+      "Trees of polygons: {} polygons of all families and Lake Superior, each turned by all right "
+      "angles, in the tree that their vertices and edges ask for, cut by the lines of their own "
+      "edges: {} trees and {} lines. {} polygons more were too fine for the integers of the audit.",
+      of_polygons.polygons - of_polygons.refused, with_commas(of_polygons.audit.trees),
+      with_commas(of_polygons.audit.lines), of_polygons.refused)});
   blocks.emplace_back(checks_table(audits));
   blocks.emplace_back(Paragraph{"Table 1: how often each delta_i was met."});
   blocks.emplace_back(slopes_table(audit));
