@@ -4,6 +4,7 @@
 judge all meshes, and writes a table.
 
 compare_peers.py BUILD -o results/peers.md
+compare_peers.py BUILD -o /tmp/rows.md --only bamg    # the rows of one mesher
 
 Wants the programs quadbound and peer_cgal in BUILD, gmsh, and ffbamg of Debian's freefem++. Each
 mesher runs in a process of its own with a limit of time; time and memory are that process's,
@@ -279,6 +280,8 @@ def failed_claims(options, polygon, mesh, folder):
 
 def row(options, recipe, polygon, rings, folder):
     for name, command, out in commands(options, polygon, folder):
+        if not name.startswith(options.only):
+            continue
         status, seconds, peak = limited(command)
         label = f"| {recipe} | {name} |"
         if status is None:
@@ -339,6 +342,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("build", type=pathlib.Path)
     parser.add_argument("-o", "--output", type=pathlib.Path, required=True)
+    parser.add_argument("--only", default="", help="the first word of a mesher's name")
     options = parser.parse_args()
     record.put_into(options.output, "\n".join(lines(options)))
 
