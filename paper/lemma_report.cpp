@@ -160,7 +160,7 @@ std::vector<Block> lemma_section(const LemmaAudits& audits) {
       with_commas(audits.moved_centres.trees))});
   const PolygonTreesAudit& of_polygons = audits.polygon_trees;
   blocks.emplace_back(Paragraph{fmt::format(
-      "Trees of polygons: {} polygons of all families and Lake Superior, each turned by all right "
+      "Trees of polygons: {} polygons of 24 families and Lake Superior, each turned by all right "
       "angles, in the tree that their vertices and edges ask for, cut by the lines of their own "
       "edges: {} trees and {} lines. {} polygons more were too fine for the integers of the audit.",
       of_polygons.polygons - of_polygons.refused, with_commas(of_polygons.audit.trees),
