@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "algo/domain.hpp"
-#include "algo/side_sets.hpp"
+#include "algo/edge_cells.hpp"
 #include "algo/tree_mesh.hpp"
 
 namespace quadbound {
@@ -21,8 +21,6 @@ struct Cut {
   double to;
 };
 
-enum class Where : std::uint8_t { kUnknown, kOutside, kInside, kBoundary };
-
 /// A vertex strictly on the left of the line of an edge that cuts one of its quads.
 struct Above {
   VertexId vertex;
@@ -30,18 +28,14 @@ struct Above {
   friend auto operator<=>(const Above&, const Above&) = default;
 };
 
-/// Whether the centres of leaves lie inside, as far as that was found out, by 4 * block + quadrant.
-using KnownCentres = std::vector<Where>;
-
 /// Guarantees: 1. cuts are sorted by quad, then edge. 2. where(v) is exact: kInside strictly inside
 /// the domain, kBoundary on an edge or a vertex of it. 3. above(v) are the edges of the paper's
 /// F(v), ascending, for vertices inside.
-/// Complexity: linear in the leaves that edges meet and in the quads; n for each part of the mesh
-/// that edges through mesh vertices, or holes, cut off from the rest and in which nothing is known.
+/// Complexity: linear in the leaves that edges meet and in the vertices, and sorting.
 class CutQuads {
  public:
-  /// `known` saves work in a window, and is brought up to date.
-  CutQuads(const Domain& domain, const TreeMesh& tree_mesh, KnownCentres& known);
+  /// Requires: edge_cells of the tree and window of tree_mesh.
+  CutQuads(const Domain& domain, const TreeMesh& tree_mesh, const EdgeCells& edge_cells);
 
   [[nodiscard]] const std::vector<Cut>& cuts() const { return cuts_; }
   [[nodiscard]] bool is_cut(QuadId quad) const { return is_cut_[quad]; }
@@ -51,13 +45,11 @@ class CutQuads {
   [[nodiscard]] const std::vector<Above>& all_above() const { return above_; }
 
  private:
-  void find_candidates();
-  void add_candidates(Cell leaf, std::span<const EdgeId> edges);
+  void look_at_met_leaves(const EdgeCells& edge_cells);
+  void judge_quads_at(std::span<const VertexId> vertices, std::span<const EdgeId> edges,
+                      std::vector<EdgeId>& last_edges);
   void judge(QuadId quad, EdgeId edge);
-  void find_sides(const KnownCentres& known);
-  void settle_known(const KnownCentres& known, SideSets& sets, std::vector<Where>& of_set) const;
-  void update(KnownCentres& known) const;
-  [[nodiscard]] bool is_inside(LatticePoint point) const;
+  void sort_cuts();
   void collect_above();
 
   const Domain& domain_;
@@ -65,13 +57,7 @@ class CutQuads {
   std::vector<Cut> cuts_;
   std::vector<bool> is_cut_;
   std::vector<Where> where_;
-  std::vector<std::uint8_t> odd_sides_;  ///< bit k: an odd number of edges crosses side k of a quad
   std::vector<Above> above_;
-
-  // scratch
-  std::vector<EdgeId> last_edge_;          ///< by quad: the edge it was last paired with
-  std::vector<std::uint64_t> candidates_;  ///< quad << 32 | edge
-  std::vector<VertexId> vertices_;
 };
 
 }  // namespace quadbound

@@ -21,8 +21,10 @@ Rational cross_of(const RationalPoint& a, const RationalPoint& b, const Rational
   return (b.x - a.x) * (x.y - a.y) - (b.y - a.y) * (x.x - a.x);
 }
 
-/// Difference and product errors of cross() on FinePoints stay below 2^-48 of the products.
-constexpr double kFilter = 0x1p-46;
+VertexId add_to(Vertices& vertices, const RationalPoint& point) {
+  return vertices.add_exact(point);
+}
+VertexId add_to(Vertices& vertices, const Point& point) { return vertices.add_double(point); }
 
 /// Requires: the quotient fits into 64 bits.
 LatticeFraction divided(Int128 numerator, std::int64_t denominator) {
@@ -42,13 +44,23 @@ LatticeFraction divided(Int128 numerator, std::int64_t denominator) {
 
 }  // namespace
 
+Domain::Domain(const RootSquare& root, const Polygon& polygon)
+    : root_(root), vertices_(root.exponent), ring_count_(polygon.rings.size()) {
+  add_rings(polygon.rings);
+}
+
 Domain::Domain(const RootSquare& root, const std::vector<std::vector<RationalPoint>>& rings)
     : root_(root), vertices_(root.exponent), ring_count_(rings.size()) {
-  for (const std::vector<RationalPoint>& ring : rings) {
+  add_rings(rings);
+}
+
+template <class Rings>
+void Domain::add_rings(const Rings& rings) {
+  for (const auto& ring : rings) {
     const auto first = static_cast<EdgeId>(vertices_.size());
     const auto count = static_cast<EdgeId>(ring.size());
     for (EdgeId k = 0; k < count; ++k) {
-      const EdgeId id = vertices_.add_exact(ring[k]);
+      const EdgeId id = add_to(vertices_, ring[k]);
       ring_.push_back(static_cast<std::uint32_t>(&ring - rings.data()));
       next_.push_back(first + (k + 1) % count);
       previous_.push_back(first + (k + count - 1) % count);
@@ -87,9 +99,7 @@ int Domain::side(EdgeId e, LatticePoint point) const {
   const Vector d = direction(e);
   const Vector to = on_lattice(point) - at(e);
   const double value = cross(d, to);
-  if (std::abs(value) > kFilter * (std::abs(d.x * to.y) + std::abs(d.y * to.x)) +
-                            0x1p-40 * (std::abs(d.x) + std::abs(d.y)))
-    return value > 0 ? 1 : -1;
+  if (is_certain(value, d, to)) return value > 0 ? 1 : -1;
   return side_exact(e, {Rational(point.x), Rational(point.y)});
 }
 
@@ -97,6 +107,29 @@ int Domain::side(EdgeId e, EdgeId vertex) const {
   if (vertex == e || vertex == next_[e]) return 0;
   if (!rounded(vertex)) return side(e, floor(vertex));
   return side_exact(e, in_units(vertex));
+}
+
+bool Domain::holds(EdgeId e, LatticePoint point) const {
+  const auto is_between = [](std::int64_t at, std::int64_t a, double a_rest, std::int64_t b,
+                             double b_rest) {
+    const bool beyond_a = a < at || (a == at && a_rest == 0);
+    const bool beyond_b = b < at || (b == at && b_rest == 0);
+    return (beyond_a && (b >= at)) || (beyond_b && (a >= at));
+  };
+  const FinePoint& a = fine_[e];
+  const FinePoint& b = fine_[next_[e]];
+  return is_between(point.x, a.floor.x, a.fraction.x, b.floor.x, b.fraction.x) &&
+         is_between(point.y, a.floor.y, a.fraction.y, b.floor.y, b.fraction.y);
+}
+
+int Domain::turn(LatticePoint from, LatticePoint to, EdgeId vertex) const {
+  if (!rounded(vertex)) return sign_of(cross_of(from, to, floor(vertex)));
+  const Vector d = on_lattice(to) - on_lattice(from);
+  const Vector here = at(vertex) - on_lattice(from);
+  const double value = cross(d, here);
+  if (is_certain(value, d, here)) return value > 0 ? 1 : -1;
+  return sign_of(cross_of({Rational(from.x), Rational(from.y)}, {Rational(to.x), Rational(to.y)},
+                          in_units(vertex)));
 }
 
 double Domain::height(EdgeId e, LatticePoint point) const {

@@ -3,6 +3,7 @@
 // The polygon that Section 3 meshes: the input P, or P less the kites at its acute vertices (the
 // paper's B, Section 4), on the lattice of the root square.
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -26,10 +27,11 @@ struct Kite {
 };
 
 /// Guarantees: 1. vertices.exact(i) is the place of vertex i, exactly. 2. the interior is on the
-/// left of every edge. 3. side, foot are exact.
+/// left of every edge. 3. side, holds, turn, foot are exact.
 class Domain {
  public:
-  /// The vertices lie at `position` in the coordinates of the input; rings as in Polygon.
+  Domain(const RootSquare& root, const Polygon& polygon);
+  /// Vertices in the coordinates of the input; rings as in Polygon.
   Domain(const RootSquare& root, const std::vector<std::vector<RationalPoint>>& rings);
 
   [[nodiscard]] EdgeId size() const { return static_cast<EdgeId>(fine_.size()); }
@@ -47,10 +49,23 @@ class Domain {
   /// From the start of an edge to its end.
   [[nodiscard]] Vector direction(EdgeId e) const { return fine_[next_[e]] - fine_[e]; }
 
+  /// Whether the sign of the cross product of an edge's direction and a vector from its start is
+  /// right: that of side() for the point where the vector ends.
+  static bool is_certain(double cross_product, Vector direction, Vector to) {
+    // Difference and product errors of cross() on FinePoints stay below 2^-48 of the products.
+    constexpr double kFilter = 0x1p-46;
+    return std::abs(cross_product) >
+           kFilter * (std::abs(direction.x * to.y) + std::abs(direction.y * to.x)) +
+               0x1p-40 * (std::abs(direction.x) + std::abs(direction.y));
+  }
   /// +1 where a point is on the left of the line of an edge (inside), 0 on it, -1 on the right.
   [[nodiscard]] int side(EdgeId e, LatticePoint point) const;
   /// The same for a vertex of the domain.
   [[nodiscard]] int side(EdgeId e, EdgeId vertex) const;
+  /// Whether a point on the line of an edge is on the edge, its ends included.
+  [[nodiscard]] bool holds(EdgeId e, LatticePoint point) const;
+  /// +1 where a vertex is on the left of the line between two points, 0 on it, -1 on the right.
+  [[nodiscard]] int turn(LatticePoint from, LatticePoint to, EdgeId vertex) const;
   /// Height of a lattice point above the line of an edge, in lattice units, with an error of a few
   /// units of the last place of the height, or of a lattice unit where that is more.
   [[nodiscard]] double height(EdgeId e, LatticePoint point) const;
@@ -83,6 +98,8 @@ class Domain {
   [[nodiscard]] bool is_kite_foot(EdgeId vertex) const;
 
  private:
+  template <class Rings>
+  void add_rings(const Rings& rings);
   [[nodiscard]] FinePoint fine_point(EdgeId vertex) const;
   [[nodiscard]] RationalPoint in_units(EdgeId vertex) const;
   [[nodiscard]] int side_exact(EdgeId e, const RationalPoint& point) const;

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "algo/corner_alignment.hpp"
-#include "algo/edge_cells.hpp"
 #include "algo/edge_separation.hpp"
 #include "algo/strip_assembly.hpp"
 
@@ -117,8 +116,9 @@ void DomainMesher::local_round(const Window& window) {
   check_time();
   ++counters_.local_rounds;
   Counters uncounted;
-  const TreeMesh tree_mesh(domain_, separation_, uncounted, window);
-  const CutQuads cut_quads(domain_, tree_mesh, known_centres_);
+  const EdgeCells edge_cells(domain_, separation_.tree(), window);
+  const TreeMesh tree_mesh(domain_, separation_, edge_cells, uncounted, window);
+  const CutQuads cut_quads(domain_, tree_mesh, edge_cells);
   if (is_separated(tree_mesh, cut_quads))
     split_around(tree_mesh, keep_quads(tree_mesh, cut_quads).pinched);
 }
@@ -135,24 +135,27 @@ void DomainMesher::separate_cells() {
   Window window;
   for (;;) {
     check_time();
-    const std::vector<Cell> large = leaves_too_large(domain_, separation_.tree(), window);
-    if (large.empty()) return;
+    edge_cells_.emplace(domain_, separation_.tree(), window);
+    const std::vector<Cell> large = leaves_too_large(domain_, separation_.tree(), *edge_cells_);
+    if (large.empty()) break;
     counters_.separation_splits += large.size();
     const auto known = static_cast<BlockId>(separation_.tree().blocks().size());
     separation_.refine(large);
     window = Window(separation_.tree(), known);
   }
+  if (!window.is_whole()) edge_cells_.reset();
 }
 
 std::optional<DomainMesh> DomainMesher::round() {
   to_split_.clear();
   check_time();
-  TreeMesh tree_mesh(domain_, separation_, counters_.quadtree);
+  if (!edge_cells_) edge_cells_.emplace(domain_, separation_.tree());
+  TreeMesh tree_mesh(domain_, separation_, *edge_cells_, counters_.quadtree);
   check_time();
   KeptQuads kept;
   std::vector<Strip> strips;
   if (!find_strips(tree_mesh, kept, strips)) return std::nullopt;
-  tree_mesh.forget_links();
+  tree_mesh.forget_sites();
   counters_.kept_quads =
       static_cast<std::uint64_t>(std::count(kept.is_kept.begin(), kept.is_kept.end(), true));
   DomainMesh made = assemble(domain_, tree_mesh, kept, strips);
@@ -162,7 +165,8 @@ std::optional<DomainMesh> DomainMesher::round() {
 
 /// What is left of Q, and the strips around it; false where something is to be split first.
 bool DomainMesher::find_strips(TreeMesh& tree_mesh, KeptQuads& kept, std::vector<Strip>& strips) {
-  const CutQuads cut_quads(domain_, tree_mesh, known_centres_);
+  const CutQuads cut_quads(domain_, tree_mesh, *edge_cells_);
+  edge_cells_.reset();
   if (!is_separated(tree_mesh, cut_quads) || !is_fine_enough(tree_mesh, cut_quads)) return false;
   kept = keep_quads(tree_mesh, cut_quads);
   check_time();
@@ -174,6 +178,7 @@ bool DomainMesher::find_strips(TreeMesh& tree_mesh, KeptQuads& kept, std::vector
   if (insertion_ == EdgeInsertion::kLemmas)
     return insert_lemmas(tree_mesh, cut_quads, kept, strips);
   aligned_ = align_with_corners(domain_, tree_mesh, cut_quads, kept, counters_.insertion);
+  tree_mesh.forget_links();
   return insert(tree_mesh, cut_quads, kept, strips);
 }
 
@@ -202,7 +207,7 @@ bool DomainMesher::is_fine_enough(const TreeMesh& tree_mesh, const CutQuads& cut
   for (BlockId block = 0; block < tree.blocks().size(); ++block) {
     for (const Quadrant q : kQuadrants) {
       const Cell leaf{block, q};
-      if (!tree.is_leaf(leaf)) continue;
+      if (!tree.is_leaf(leaf) || !tree_mesh.has(leaf)) continue;
       const VertexId centre = tree_mesh.centre(leaf);
       if (cut_quads.where(centre) == Where::kOutside) continue;
       const LatticePoint at = tree_mesh.at(centre);

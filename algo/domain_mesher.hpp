@@ -13,6 +13,7 @@
 #include "algo/cut_quads.hpp"
 #include "algo/domain.hpp"
 #include "algo/domain_mesh.hpp"
+#include "algo/edge_cells.hpp"
 #include "algo/edge_insertion.hpp"
 #include "algo/insertion_by_lemmas.hpp"
 #include "algo/kept_quads.hpp"
@@ -115,8 +116,9 @@ class DomainMesher {
   PolygonCounters& counters_;
   EdgeInsertion insertion_;
   std::optional<LemmaFault> fault_;
+  /// Of the whole tree as it is, while they are needed.
+  std::optional<EdgeCells> edge_cells_;
   std::vector<Cell> to_split_;
-  KnownCentres known_centres_;
   std::vector<AlignedCentre> aligned_;
   int dead_rounds_ = 0;
   std::vector<EdgeId> troubled_;  ///< acute vertices, this round

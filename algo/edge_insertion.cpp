@@ -24,6 +24,9 @@ std::span<const double> offsets(std::uint8_t level) {
 
 /// A pentagon with bumps on both of its edges of alpha.
 constexpr int kLongestPiece = 6;
+/// States at a vertex that memory is set aside for, so that it need not be copied as they grow.
+/// What stays untouched takes no memory.
+constexpr std::size_t kUsualStates = 2;
 /// How far around a dead end the search is widened.
 constexpr int kWidenBefore = 3;
 constexpr int kWidenAfter = 5;
@@ -200,6 +203,7 @@ class Insertion {
     levels_.assign(alpha_.size(), 0);
     first_state_.assign(alpha_.size() + 2, 0);
     states_.clear();
+    states_.reserve(kUsualStates * alpha_.size());
     find_bumps();
     append_states_at(vertex(0), 0, states_);
     first_state_[1] = states_.size();
@@ -406,6 +410,7 @@ class Insertion {
 
   Strip trace_back() {
     Strip strip;
+    strip.quads.reserve(states(size_).front().quads);
     int j = size_;
     int s = 0;
     do {

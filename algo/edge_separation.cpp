@@ -218,7 +218,7 @@ std::vector<Cell> leaves_along_gaps(const Domain& domain, const Quadtree& tree,
   for (const Gap& gap : gaps)
     if (edges.empty() || edges.back() != gap.edge) edges.push_back(gap.edge);
   std::vector<Cell> leaves;
-  for_leaves_with_edges(domain, tree, {}, edges, [&](Cell leaf, std::span<const EdgeId> met) {
+  for_leaves_with_edges(domain, tree, edges, [&](Cell leaf, std::span<const EdgeId> met) {
     if (is_in_gap(domain, tree, gaps, leaf, met)) leaves.push_back(leaf);
   });
   return leaves;

@@ -7,16 +7,38 @@
 namespace quadbound {
 namespace {
 
-/// The quad with the edge from b to a, where there is one in K.
-bool kept_across(const TreeMesh& tree_mesh, const std::vector<bool>& is_kept, VertexId a,
-                 VertexId b) {
+/// Whether one of the quads that are not kept has the edge from a to b.
+bool dropped_along(const TreeMesh& tree_mesh, const std::vector<bool>& is_kept, VertexId a,
+                   VertexId b) {
   for (const QuadId quad : tree_mesh.quads_at(a)) {
-    if (!is_kept[quad]) continue;
+    if (is_kept[quad]) continue;
     const Quad& q = tree_mesh.mesh().quads[quad];
     for (unsigned k = 0; k < 4; ++k)
-      if (q[k] == b && q[(k + 1) & 3U] == a) return true;
+      if (q[k] == a && q[(k + 1) & 3U] == b) return true;
   }
   return false;
+}
+
+/// Edges with K on their left and a quad that is not kept on their right, ascending. They are
+/// looked for among the latter, of which few have two vertices inside: each edge of Q between such
+/// vertices has a quad on either side.
+std::vector<std::pair<VertexId, VertexId>> boundary_of(const TreeMesh& tree_mesh,
+                                                       const CutQuads& cut_quads,
+                                                       const std::vector<bool>& is_kept) {
+  std::vector<std::pair<VertexId, VertexId>> edges;
+  for (QuadId quad = 0; quad < is_kept.size(); ++quad) {
+    if (is_kept[quad]) continue;
+    const Quad& q = tree_mesh.mesh().quads[quad];
+    for (unsigned k = 0; k < 4; ++k) {
+      const VertexId b = q[k];
+      const VertexId a = q[(k + 1) & 3U];
+      if (cut_quads.where(a) == Where::kInside && cut_quads.where(b) == Where::kInside &&
+          !dropped_along(tree_mesh, is_kept, a, b))
+        edges.emplace_back(a, b);
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  return edges;
 }
 
 }  // namespace
@@ -30,22 +52,7 @@ KeptQuads keep_quads(const TreeMesh& tree_mesh, const CutQuads& cut_quads) {
     result.is_kept[quad] =
         !cut_quads.is_cut(quad) && std::all_of(quads[quad].begin(), quads[quad].end(), inside);
 
-  // Only quads at vertices of quads that are not kept can have an edge on the boundary of K.
-  std::vector<bool> beside(tree_mesh.mesh().vertices.size());
-  for (QuadId quad = 0; quad < quads.size(); ++quad)
-    if (!result.is_kept[quad])
-      for (const VertexId v : quads[quad]) beside[v] = true;
-  std::vector<std::pair<VertexId, VertexId>> edges;
-  for (QuadId quad = 0; quad < quads.size(); ++quad) {
-    if (!result.is_kept[quad]) continue;
-    for (unsigned k = 0; k < 4; ++k) {
-      const VertexId a = quads[quad][k];
-      const VertexId b = quads[quad][(k + 1) & 3U];
-      if (beside[a] && beside[b] && !kept_across(tree_mesh, result.is_kept, a, b))
-        edges.emplace_back(a, b);
-    }
-  }
-  std::sort(edges.begin(), edges.end());
+  const auto edges = boundary_of(tree_mesh, cut_quads, result.is_kept);
   for (std::size_t i = 1; i < edges.size(); ++i)
     if (edges[i].first == edges[i - 1].first &&
         tree_mesh.window().is_core(tree_mesh.leaf_of(edges[i].first)))

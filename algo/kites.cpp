@@ -380,10 +380,10 @@ std::vector<std::vector<RationalPoint>> exact_rings(const Polygon& polygon) {
 }  // namespace
 
 Domain cut_kites(const Polygon& polygon, const RootSquare& root, const std::vector<bool>& cut) {
-  std::vector<std::vector<RationalPoint>> rings = exact_rings(polygon);
-  Domain whole(root, rings);
+  Domain whole(root, polygon);
   const std::vector<Tip> tips = KiteSizes(whole, cut).settle();
   if (tips.empty()) return whole;
+  std::vector<std::vector<RationalPoint>> rings = exact_rings(polygon);
   std::vector<Kite> kites;
   kites.reserve(tips.size());
   EdgeId vertex = 0;  // of the whole polygon

@@ -282,15 +282,15 @@ class Stage {
     return points;
   }
   void remake() {
-    tree_mesh_ = std::make_unique<TreeMesh>(domain_, separation_, counters_);
-    cut_quads_ = std::make_unique<CutQuads>(domain_, *tree_mesh_, known_);
+    const EdgeCells edge_cells(domain_, separation_.tree());
+    tree_mesh_ = std::make_unique<TreeMesh>(domain_, separation_, edge_cells, counters_);
+    cut_quads_ = std::make_unique<CutQuads>(domain_, *tree_mesh_, edge_cells);
   }
 
   Domain domain_;
   Separation separation_;
   Counters counters_;
   std::unique_ptr<TreeMesh> tree_mesh_;
-  KnownCentres known_;
   std::unique_ptr<CutQuads> cut_quads_;
 };
 
@@ -436,9 +436,9 @@ TEST(CutQuads, EdgesAlongSidesAndThroughVerticesOfQuads) {
   separation.apply_conditions();
   separation.refine_five_by_five();
   Counters counters;
-  const TreeMesh tree_mesh(domain, separation, counters);
-  KnownCentres known;
-  const CutQuads cut_quads(domain, tree_mesh, known);
+  const EdgeCells edge_cells(domain, separation.tree());
+  const TreeMesh tree_mesh(domain, separation, edge_cells, counters);
+  const CutQuads cut_quads(domain, tree_mesh, edge_cells);
   std::uint64_t inside = 0;
   for (VertexId v = 0; v < tree_mesh.mesh().vertices.size(); ++v) {
     const LatticePoint at = tree_mesh.at(v);

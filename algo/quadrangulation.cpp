@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "algo/quadrangulation.hpp"
 
+#include <algorithm>
+#include <array>
 #include <string>
 
 namespace quadbound {
@@ -17,25 +19,37 @@ class FatePlanner {
     tree_.set_fate(leaf.parent, leaf.quadrant, fate);
     ++(fate == ExtraFate::kDropped ? counters_.extras_dropped : counters_.extras_moved);
   }
-  VertexId halves_extra(const CellRef& /*leaf*/, Quadrant /*corner*/) {
+  VertexId halves_extra(const CellRef& leaf, Quadrant /*corner*/) {
     ++halves_extras_;
-    return 0;
+    return centre(leaf);
   }
   [[nodiscard]] std::uint64_t halves_extras() const { return halves_extras_; }
   [[nodiscard]] std::uint64_t quads() const { return quads_; }
 
+  // In place of a vertex, the leaf that it belongs to.
+  static VertexId centre(const CellRef& leaf) { return 4 * leaf.parent + leaf.quadrant; }
+  static VertexId outer(const CellRef& leaf) { return centre(leaf); }
+  static VertexId inner(const CellRef& leaf) { return centre(leaf); }
   // What the second walk needs, and this one does not.
-  static VertexId centre(const CellRef& /*leaf*/) { return 0; }
-  static VertexId outer(const CellRef& /*leaf*/) { return 0; }
-  static VertexId inner(const CellRef& /*leaf*/) { return 0; }
   static bool is_dropped(const CellRef& /*leaf*/) { return false; }
   static void move_centre(const CellRef& /*leaf*/, bool /*horizontal*/, Quadrant /*side*/) {}
   void quad(Construction /*construction*/, std::uint8_t /*level*/, bool /*counter_clockwise*/,
-            VertexId /*a*/, VertexId /*b*/, VertexId /*c*/, VertexId /*d*/) {
+            VertexId a, VertexId b, VertexId c, VertexId d) {
     ++quads_;
+    if (tree_.leaves_any_out()) bring_back({a, b, c, d});
   }
 
  private:
+  void bring_back(const std::array<VertexId, 4>& leaves) {
+    if (std::none_of(leaves.begin(), leaves.end(), [this](VertexId leaf) {
+          return tree_.is_wanted(leaf / 4, static_cast<Quadrant>(leaf % 4));
+        }))
+      return;
+    for (const VertexId leaf : leaves)
+      if (const auto q = static_cast<Quadrant>(leaf % 4); tree_.is_left_out(leaf / 4, q))
+        tree_.bring_back(leaf / 4, q);
+  }
+
   TemplateTree& tree_;
   Counters& counters_;
   std::uint64_t halves_extras_ = 0;
@@ -84,14 +98,15 @@ class VertexNumbering {
 
   void number_leaf(NodeId node, Quadrant q, Template which, LatticePoint centre,
                    std::int64_t side) {
-    tree_.set_centre(node, q, vertices_.add(centre));
+    const bool is_there = !tree_.is_left_out(node, q);
+    if (is_there) tree_.set_centre(node, q, vertices_.add(centre));
     if (which == Template::kT4) return;
     ++counters_.extras_made;
-    if (tree_.fate(node, q) != ExtraFate::kDropped)
+    if (is_there && tree_.fate(node, q) != ExtraFate::kDropped)
       vertices_.add(extra_at(centre, side, q, tree_.fate(node, q)));
     if (which != Template::kT1 && which != Template::kT2b) return;
     ++counters_.extras_made;
-    vertices_.add(extra_at(centre, side, opposite(q), ExtraFate::kKept));
+    if (is_there) vertices_.add(extra_at(centre, side, opposite(q), ExtraFate::kKept));
   }
 
   /// Half of the way from the centre to a corner; reflected across the cell's side if mirrored.
@@ -130,6 +145,7 @@ class QuadEmitter {
 
   VertexId halves_extra(const CellRef& leaf, Quadrant corner) {
     ++counters_.extras_made;
+    if (centre(leaf) == TemplateTree::kLeftOut) return TemplateTree::kLeftOut;
     const LatticePoint at = mesh_.vertices.lattice(centre(leaf));
     const std::int64_t quarter = std::int64_t{1} << (root_.side_bits - leaf.level - 2);
     return mesh_.vertices.add({at.x + (is_east(corner) ? quarter : -quarter),
@@ -150,10 +166,11 @@ class QuadEmitter {
 
   void quad(Construction construction, std::uint8_t level, bool counter_clockwise, VertexId a,
             VertexId b, VertexId c, VertexId d) {
+    ++counters_.quads[static_cast<std::size_t>(construction)];
+    if (std::max({a, b, c, d}) >= TemplateTree::kLeftOut) return;
     mesh_.quads.push_back(counter_clockwise ? Quad{a, b, c, d} : Quad{d, c, b, a});
     mesh_.construction.push_back(static_cast<std::uint8_t>(construction));
     mesh_.level.push_back(level);
-    ++counters_.quads[static_cast<std::size_t>(construction)];
   }
 
  private:
@@ -192,6 +209,7 @@ Mesh quadrangulate(TemplateTree& tree, const RootSquare& root, TwoTwoVariant var
   mesh.construction.reserve(planner.quads());
   mesh.level.reserve(planner.quads());
   VertexNumbering(tree, root, mesh.vertices, counters).run();
+  tree.set_vertices_of_leaves(static_cast<VertexId>(mesh.vertices.size()));
 
   QuadEmitter emitter(tree, root, mesh, counters);
   TemplateWalk<QuadEmitter>(tree, variant, emitter).run();

@@ -7,6 +7,9 @@
 namespace quadbound {
 namespace {
 
+/// Of a quad of a strip.
+constexpr std::size_t kMostFeet = 2;
+
 class Assembly {
  public:
   Assembly(const Domain& domain, const TreeMesh& tree_mesh, const KeptQuads& kept)
@@ -20,11 +23,11 @@ class Assembly {
   }
 
   DomainMesh run(const std::vector<Strip>& strips) {
-    number_kept_vertices(strips);
+    mark_kept_vertices(strips);
     reserve(strips);
+    number_kept_vertices();
     add_kept_quads();
-    for (EdgeId site = 0; site < domain_.size(); ++site)
-      made_.vertex_of.push_back(made_.mesh.vertices.add_exact(domain_.vertices().exact(site)));
+    for (EdgeId site = 0; site < domain_.size(); ++site) made_.vertex_of.push_back(add_site(site));
     number_feet(strips);
     for (const Strip& strip : strips) add_strip(strip);
     return std::move(made_);
@@ -32,7 +35,7 @@ class Assembly {
 
  private:
   /// Strips of EdgeInsertion::kLemmas have vertices of Q that no kept quad has: ends of spikes.
-  void number_kept_vertices(const std::vector<Strip>& strips) {
+  void mark_kept_vertices(const std::vector<Strip>& strips) {
     const Mesh& q = tree_mesh_.mesh();
     number_.assign(q.vertices.size(), kNoVertex);
     for (QuadId quad = 0; quad < q.quads.size(); ++quad)
@@ -42,6 +45,9 @@ class Assembly {
       for (const StripQuad& quad : strip.quads)
         for (const StripVertex& v : quad.corners)
           if (v.kind == StripVertex::Kind::kMesh) number_[v.id] = 0;
+  }
+
+  void number_kept_vertices() {
     for (VertexId v = 0; v < number_.size(); ++v)
       if (number_[v] == 0) number_[v] = made_.mesh.vertices.add(tree_mesh_.at(v));
   }
@@ -49,7 +55,13 @@ class Assembly {
   void reserve(const std::vector<Strip>& strips) {
     auto quads =
         static_cast<std::size_t>(std::count(kept_.is_kept.begin(), kept_.is_kept.end(), true));
-    for (const Strip& strip : strips) quads += strip.quads.size();
+    auto vertices =
+        static_cast<std::size_t>(std::count(number_.begin(), number_.end(), 0U)) + domain_.size();
+    for (const Strip& strip : strips) {
+      quads += strip.quads.size();
+      vertices += kMostFeet * strip.quads.size() + strip.steiner.size();
+    }
+    made_.mesh.vertices.reserve(vertices);
     made_.mesh.quads.reserve(quads);
     made_.mesh.construction.reserve(quads);
     made_.mesh.level.reserve(quads);
@@ -71,12 +83,17 @@ class Assembly {
     made_.mesh.level.push_back(level);
   }
 
+  VertexId add_site(EdgeId site) {
+    const Vertices& sites = domain_.vertices();
+    if (sites.on_lattice(site)) return made_.mesh.vertices.add(sites.lattice(site));
+    return made_.mesh.vertices.add_exact(sites.exact(site));
+  }
+
   void number_feet(const std::vector<Strip>& strips) {
     for (const Strip& strip : strips)
       for (const StripQuad& quad : strip.quads)
         for (const StripVertex& v : quad.corners)
-          if (v.kind == StripVertex::Kind::kFoot)
-            feet_.emplace_back(v.id, domain_.along(v.id, v.foot));
+          if (v.kind == StripVertex::Kind::kFoot) add_foot({v.id, domain_.along(v.id, v.foot)});
     std::sort(feet_.begin(), feet_.end());
     feet_.erase(std::unique(feet_.begin(), feet_.end()), feet_.end());
     made_.steiner.resize(domain_.size());
@@ -84,6 +101,14 @@ class Assembly {
     for (const auto& [edge, along] : feet_)
       made_.steiner[edge].push_back(
           domain_.add_foot(made_.mesh.vertices, edge, domain_.along(edge, along)));
+  }
+
+  /// The next quad of a strip begins with the foot that the last one ended with.
+  void add_foot(const std::pair<EdgeId, std::int64_t>& foot) {
+    const std::size_t size = feet_.size();
+    if (size >= 1 && feet_[size - 1] == foot) return;
+    if (size >= 2 && feet_[size - 2] == foot) return;
+    feet_.push_back(foot);
   }
 
   [[nodiscard]] VertexId foot_vertex(const StripVertex& v) const {

@@ -32,9 +32,13 @@ struct CellRef {
   [[nodiscard]] bool is_hole() const { return ref == kHole; }
 };
 
+/// Leaves may be left out: they have no vertices, and neither have quads with such a vertex. The
+/// others are wanted; what is left out comes back where a quad joins it to a wanted leaf.
 class TemplateTree {
  public:
   static constexpr NodeId kNoNode = 0xFFFF'FFFFU;
+  /// The centre of a leaf that is left out. Its extra points, counted from there, are no smaller.
+  static constexpr VertexId kLeftOut = ~Quadtree::kLeaf;
 
   /// Complexity: linear; 17 bytes per internal node in the window.
   explicit TemplateTree(const Quadtree& tree, const Window& window = {});
@@ -66,6 +70,18 @@ class TemplateTree {
     return static_cast<ExtraFate>((unsigned{fates_[node]} >> (2U * q)) & 3U);
   }
   void set_fate(NodeId node, Quadrant q, ExtraFate fate);
+  /// Before the leaves are numbered. Requires: a leaf.
+  void leave_out(NodeId node, Quadrant q) {
+    set_centre(node, q, kLeftOut);
+    leaves_out_ = true;
+  }
+  [[nodiscard]] bool leaves_any_out() const { return leaves_out_; }
+  void bring_back(NodeId node, Quadrant q) { set_centre(node, q, kBroughtBack); }
+  [[nodiscard]] bool is_left_out(NodeId node, Quadrant q) const {
+    return centre(node, q) == kLeftOut;
+  }
+  [[nodiscard]] bool is_wanted(NodeId node, Quadrant q) const { return centre(node, q) == kWanted; }
+
   void set_centre(NodeId node, Quadrant q, VertexId vertex) {
     children_[node][q] = Quadtree::kLeaf | vertex;
   }
@@ -73,12 +89,22 @@ class TemplateTree {
     return children_[node][q] & ~Quadtree::kLeaf;
   }
 
+  /// All vertices but the last ones, the extra points of the case 2,2.
+  [[nodiscard]] VertexId vertices_of_leaves() const { return vertices_of_leaves_; }
+  void set_vertices_of_leaves(VertexId count) { vertices_of_leaves_ = count; }
+
  private:
+  // Instead of a centre, as long as there is none.
+  static constexpr VertexId kWanted = 0;
+  static constexpr VertexId kBroughtBack = 1;
+
   NodeId copy(const Quadtree& tree, const Window& window, BlockId block);
 
   std::vector<std::array<std::uint32_t, 4>> children_;
   std::vector<std::uint8_t> fates_;  ///< two bits per child
   std::vector<NodeId> node_of_block_;
+  VertexId vertices_of_leaves_ = 0;
+  bool leaves_out_ = false;
 };
 
 /// Which template a node takes: the number of its leaf children, and for two of them whether they

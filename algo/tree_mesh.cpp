@@ -2,6 +2,7 @@
 #include "algo/tree_mesh.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "algo/quadrangulation.hpp"
@@ -9,37 +10,37 @@
 namespace quadbound {
 namespace {
 
-/// Vertices that VertexNumbering gave a leaf: its centre and the extra points that are kept.
-VertexId vertices_of_leaf(const TemplateTree& tree, NodeId node, Quadrant q) {
-  const Template which = which_template(tree.children(node));
-  if (which == Template::kT4) return 1;
-  const VertexId outer = tree.fate(node, q) == ExtraFate::kDropped ? 0 : 1;
-  const VertexId inner = which == Template::kT1 || which == Template::kT2b ? 1 : 0;
-  return 1 + outer + inner;
-}
-
-std::uint64_t halves_cases(const Counters& counters) {
-  return counters.stitch_cases[static_cast<std::size_t>(StitchCase::kTwoTwoHalves)];
+/// An empty list in braces would leave a vector its memory.
+template <class Value>
+void release(std::vector<Value>& values) {
+  std::vector<Value>().swap(values);
 }
 
 }  // namespace
 
-TreeMesh::TreeMesh(const Domain& domain, const Separation& separation, Counters& counters,
-                   Window window)
+TreeMesh::TreeMesh(const Domain& domain, const Separation& separation, const EdgeCells& edge_cells,
+                   Counters& counters, Window window)
     : tree_(separation.tree()),
       window_(std::move(window)),
       template_tree_(tree_, window_),
       cell_of_(separation.cell_of_point()) {
-  const std::uint64_t halves_before = halves_cases(counters);
+  leave_out_outside(edge_cells);
   mesh_ = quadrangulate(template_tree_, tree_.root(), TwoTwoVariant::kExact, counters);
   const auto count = static_cast<VertexId>(mesh_.vertices.size());
-  // They are numbered last, two for each such case.
-  const auto extras = static_cast<VertexId>(2 * (halves_cases(counters) - halves_before));
-  for (VertexId v = count - extras; v < count; ++v)
+  for (VertexId v = template_tree_.vertices_of_leaves(); v < count; ++v)
     halves_extras_.emplace_back(centre(leaf_of(v)), v);
   std::sort(halves_extras_.begin(), halves_extras_.end());
   place_sites(domain);
   link_quads();
+}
+
+void TreeMesh::leave_out_outside(const EdgeCells& edge_cells) {
+  for (BlockId block = 0; block < tree_.blocks().size(); ++block) {
+    if (!window_.has(block)) continue;
+    for (const Quadrant q : kQuadrants)
+      if (tree_.is_leaf({block, q}) && edge_cells.where({block, q}) == Where::kOutside)
+        template_tree_.leave_out(template_tree_.node_of(block), q);
+  }
 }
 
 void TreeMesh::place_sites(const Domain& domain) {
@@ -50,7 +51,7 @@ void TreeMesh::place_sites(const Domain& domain) {
     const Cell cell = cell_of_[site];
     if (!is_near_window(cell)) continue;
     tree_.for_extended_neighbours(cell, [this, site](int, int, Cell there) {
-      if (window_.has(there.block)) site_near_[centre(there)] = site;
+      if (has(there)) site_near_[centre(there)] = site;
     });
     mark_grid(site);
     if (!window_.has(cell.block)) continue;
@@ -76,7 +77,7 @@ bool TreeMesh::is_near_window(Cell cell) const {
 /// Requires: the 24 cells around the site's cell exist and are leaves.
 void TreeMesh::mark_grid(EdgeId site) {
   const auto mark = [this, site](Cell leaf) {
-    if (!window_.has(leaf.block)) return;
+    if (!has(leaf)) return;
     const VertexId vertex = centre(leaf);
     if (grid_of_[vertex] == kNoSite) {
       grid_of_[vertex] = site;
@@ -99,26 +100,36 @@ void TreeMesh::mark_grid(EdgeId site) {
 void TreeMesh::link_quads() {
   first_quad_.assign(mesh_.vertices.size() + 1, 0);
   for (const Quad& quad : mesh_.quads)
-    for (const VertexId v : quad) ++first_quad_[v + 1];
-  for (std::size_t v = 1; v < first_quad_.size(); ++v) first_quad_[v] += first_quad_[v - 1];
+    for (const VertexId v : quad) ++first_quad_[v];
+  std::partial_sum(first_quad_.begin(), first_quad_.end(), first_quad_.begin());
+  // From the ends of the lists backwards, so that first_quad_ ends as what it is called.
   quads_at_.resize(4 * mesh_.quads.size());
-  std::vector<std::uint32_t> end(first_quad_.begin(), first_quad_.end() - 1);
-  for (QuadId quad = 0; quad < mesh_.quads.size(); ++quad)
-    for (const VertexId v : mesh_.quads[quad]) quads_at_[end[v]++] = quad;
+  for (QuadId quad = static_cast<QuadId>(mesh_.quads.size()); quad-- > 0;)
+    for (const VertexId v : mesh_.quads[quad]) quads_at_[--first_quad_[v]] = quad;
 }
 
 void TreeMesh::forget_links() {
-  first_quad_ = {};
-  quads_at_ = {};
-  site_near_ = {};
-  grid_of_ = {};
-  other_grids_ = {};
+  release(first_quad_);
+  release(quads_at_);
+  release(grid_of_);
+  release(other_grids_);
+}
+
+void TreeMesh::forget_sites() { release(site_near_); }
+
+/// Those that VertexNumbering gave it: its centre and the extra points that are kept.
+VertexId TreeMesh::vertices_of_leaf(NodeId node, Quadrant q) const {
+  const Template which = which_template(template_tree_.children(node));
+  if (which == Template::kT4) return 1;
+  const VertexId outer = template_tree_.fate(node, q) == ExtraFate::kDropped ? 0 : 1;
+  const VertexId inner = which == Template::kT1 || which == Template::kT2b ? 1 : 0;
+  return 1 + outer + inner;
 }
 
 void TreeMesh::append_vertices_of(Cell leaf, std::vector<VertexId>& vertices) const {
   const NodeId node = template_tree_.node_of(leaf.block);
   const VertexId first = template_tree_.centre(node, leaf.quadrant);
-  const VertexId count = vertices_of_leaf(template_tree_, node, leaf.quadrant);
+  const VertexId count = vertices_of_leaf(node, leaf.quadrant);
   for (VertexId v = first; v < first + count; ++v) vertices.push_back(v);
   auto extra =
       std::lower_bound(halves_extras_.begin(), halves_extras_.end(), std::pair{first, VertexId{0}});

@@ -11,6 +11,7 @@
 
 #include "algo/counters.hpp"
 #include "algo/domain.hpp"
+#include "algo/edge_cells.hpp"
 #include "algo/quadtree.hpp"
 #include "algo/separation.hpp"
 #include "algo/template_tree.hpp"
@@ -24,35 +25,61 @@ using QuadId = std::uint32_t;
 /// Guarantees: 1. The centre of the cell of a domain's vertex is moved onto that vertex (rounded
 /// down to the lattice); nothing else is moved. 2. quads_at lists every quad of a vertex once,
 /// ascending. 3. Of a window all is there that lies in it; cells and sites outside have no
-/// vertices. Requires: tree and domain outlive it, and stay as they are. Complexity: linear.
+/// vertices. 4. Quads that lie outside the domain, and no edge near any of their leaves, are left
+/// out, and so are leaves that have only such quads; quads and vertices keep the order of Q.
+/// Requires: tree and domain outlive it, and stay as they are. Complexity: linear.
 class TreeMesh {
  public:
   static constexpr EdgeId kNoSite = 0xFFFF'FFFFU;
 
-  TreeMesh(const Domain& domain, const Separation& separation, Counters& counters,
-           Window window = {});
+  /// Requires: edge_cells of this tree and window. The counters count what is left out, too.
+  TreeMesh(const Domain& domain, const Separation& separation, const EdgeCells& edge_cells,
+           Counters& counters, Window window = {});
 
   [[nodiscard]] const Quadtree& tree() const { return tree_; }
   [[nodiscard]] const Window& window() const { return window_; }
   [[nodiscard]] const Mesh& mesh() const { return mesh_; }
   [[nodiscard]] LatticePoint at(VertexId vertex) const { return mesh_.vertices.lattice(vertex); }
   void move_to(VertexId vertex, LatticePoint point) { mesh_.vertices.move_to(vertex, point); }
-  /// Gives back the memory of quads_at, site_near and for_grids_with, which must not be asked any
-  /// more.
+  /// Give back the memory of quads_at and for_grids_with, and of site_near and is_site, which must
+  /// not be asked any more.
   void forget_links();
+  void forget_sites();
 
   [[nodiscard]] std::span<const QuadId> quads_at(VertexId vertex) const {
     return {quads_at_.data() + first_quad_[vertex], first_quad_[vertex + 1] - first_quad_[vertex]};
   }
 
+  /// Whether a leaf is in the window and not left out.
+  [[nodiscard]] bool has(Cell leaf) const {
+    return window_.has(leaf.block) &&
+           !template_tree_.is_left_out(template_tree_.node_of(leaf.block), leaf.quadrant);
+  }
+  /// Requires: has(leaf).
   [[nodiscard]] VertexId centre(Cell leaf) const {
     return template_tree_.centre(template_tree_.node_of(leaf.block), leaf.quadrant);
   }
   /// The leaf that a vertex lies in.
   [[nodiscard]] Cell leaf_of(VertexId vertex) const { return tree_.leaf_at(at(vertex)); }
-  /// Appends the vertices that the tree gave a leaf: they lie in it, or, if mirrored, within a
-  /// quarter of its side outside.
+  /// Appends the vertices that the tree gave a leaf that it has: they lie in it, or, if mirrored,
+  /// within a quarter of its side outside.
   void append_vertices_of(Cell leaf, std::vector<VertexId>& vertices) const;
+
+  /// Calls visit(leaf, vertex) for all of these pairs.
+  template <class Visit>
+  void for_vertices(const Visit& visit) const {
+    for (BlockId block = 0; block < tree_.blocks().size(); ++block) {
+      if (!window_.has(block)) continue;
+      const NodeId node = template_tree_.node_of(block);
+      for (const Quadrant q : kQuadrants) {
+        if (!tree_.is_leaf({block, q}) || template_tree_.is_left_out(node, q)) continue;
+        const VertexId first = template_tree_.centre(node, q);
+        const VertexId end = first + vertices_of_leaf(node, q);
+        for (VertexId v = first; v < end; ++v) visit(Cell{block, q}, v);
+      }
+    }
+    for (const auto& [centre, v] : halves_extras_) visit(leaf_of(v), v);
+  }
 
   /// The leaf and the mesh vertex of a vertex of the domain.
   [[nodiscard]] Cell cell_of(EdgeId site) const { return cell_of_[site]; }
@@ -65,7 +92,7 @@ class TreeMesh {
   /// of a leaf outside the window.
   template <class Visit>
   void for_grids_with(Cell leaf, const Visit& visit) const {
-    if (!window_.has(leaf.block)) return;
+    if (!has(leaf)) return;
     const VertexId vertex = centre(leaf);
     if (grid_of_[vertex] == kNoSite) return;
     visit(grid_of_[vertex]);
@@ -78,6 +105,8 @@ class TreeMesh {
   }
 
  private:
+  [[nodiscard]] VertexId vertices_of_leaf(NodeId node, Quadrant q) const;
+  void leave_out_outside(const EdgeCells& edge_cells);
   void link_quads();
   void place_sites(const Domain& domain);
   void mark_grid(EdgeId site);

@@ -118,11 +118,12 @@ Separation separated(const Domain& domain) {
   return separation;
 }
 
-/// Edge separation as far as the tree alone tells.
-void separate_cells(const Domain& domain, Separation& separation) {
+/// Edge separation as far as the tree alone tells; where the edges are then.
+EdgeCells separate_cells(const Domain& domain, Separation& separation) {
   for (;;) {
-    const std::vector<Cell> large = leaves_too_large(domain, separation.tree());
-    if (large.empty()) return;
+    EdgeCells edge_cells(domain, separation.tree());
+    const std::vector<Cell> large = leaves_too_large(domain, separation.tree(), edge_cells);
+    if (large.empty()) return edge_cells;
     separation.refine(large);
   }
 }
@@ -130,25 +131,26 @@ void separate_cells(const Domain& domain, Separation& separation) {
 /// What each step leaves to the next ones.
 struct AfterTree {
   explicit AfterTree(const PolygonCase& the_case)
-      : c(the_case), domain(domain_of(the_case)), separation(separated(domain)) {
-    separate_cells(domain, separation);
-  }
+      : c(the_case),
+        domain(domain_of(the_case)),
+        separation(separated(domain)),
+        edge_cells(separate_cells(domain, separation)) {}
   const PolygonCase& c;
   Domain domain;
   Separation separation;
+  EdgeCells edge_cells;
 };
 
 struct AfterQuadrangulation : AfterTree {
   explicit AfterQuadrangulation(const PolygonCase& the_case)
-      : AfterTree(the_case), tree_mesh(domain, separation, counters) {}
+      : AfterTree(the_case), tree_mesh(domain, separation, edge_cells, counters) {}
   Counters counters;
   TreeMesh tree_mesh;
 };
 
 struct AfterCutting : AfterQuadrangulation {
   explicit AfterCutting(const PolygonCase& the_case)
-      : AfterQuadrangulation(the_case), cut_quads(domain, tree_mesh, known_centres) {}
-  KnownCentres known_centres;
+      : AfterQuadrangulation(the_case), cut_quads(domain, tree_mesh, edge_cells) {}
   CutQuads cut_quads;
 };
 
@@ -197,7 +199,7 @@ struct TreeStage {
 
 struct Quadrangulation {
   explicit Quadrangulation(const AfterTree& before)
-      : tree_mesh(before.domain, before.separation, counters) {}
+      : tree_mesh(before.domain, before.separation, before.edge_cells, counters) {}
   Counters counters;
   TreeMesh tree_mesh;
 };
@@ -218,8 +220,7 @@ struct CuttingStage : AfterQuadrangulation {
   using AfterQuadrangulation::AfterQuadrangulation;
   void prepare() {}
   [[nodiscard]] std::pair<CutQuads, std::size_t> run() const {
-    KnownCentres known;
-    CutQuads made(domain, tree_mesh, known);
+    CutQuads made(domain, tree_mesh, edge_cells);
     const std::size_t faults = separation_faults(domain, tree_mesh, made).size();
     return {std::move(made), faults};
   }
