@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where edges run among the leaves, and what of Q is left out there, against all pairs of a leaf
+// and an edge in exact arithmetic.
+#include "algo/edge_cells.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "algo/kites.hpp"
+#include "algo/quadrangulation.hpp"
+#include "algo/separation.hpp"
+#include "algo/tree_mesh.hpp"
+#include "generators/polygons.hpp"
+#include "generators/random.hpp"
+#include "model/validate.hpp"
+
+namespace quadbound {
+namespace {
+
+/// A domain, with vertices off the lattice or with kites too, and its tree.
+class Sample {
+ public:
+  explicit Sample(const Polygon& polygon) : domain_(domain_of(polygon)), separation_(placed(), {}) {
+    separation_.apply_conditions();
+    separation_.refine_five_by_five();
+  }
+  [[nodiscard]] const Domain& domain() const { return domain_; }
+  [[nodiscard]] const Separation& separation() const { return separation_; }
+  [[nodiscard]] const Quadtree& tree() const { return separation_.tree(); }
+
+  [[nodiscard]] RationalPoint at(EdgeId vertex) const {
+    const Rational unit = dyadic(1, domain_.root().exponent);
+    const RationalPoint point = domain_.vertices().exact(vertex);
+    return {point.x / unit, point.y / unit};
+  }
+  /// Positive on the left of an edge.
+  [[nodiscard]] Rational cross(EdgeId e, const RationalPoint& p) const {
+    const RationalPoint a = at(e);
+    const RationalPoint b = at(domain_.next(e));
+    return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
+  }
+  [[nodiscard]] Where where(LatticePoint point) const {
+    const RationalPoint p{Rational(point.x), Rational(point.y)};
+    bool odd = false;
+    for (EdgeId e = 0; e < domain_.size(); ++e) {
+      const RationalPoint a = at(e);
+      const RationalPoint b = at(domain_.next(e));
+      const Rational side = cross(e, p);
+      if (side == 0 && std::min(a.x, b.x) <= p.x && p.x <= std::max(a.x, b.x) &&
+          std::min(a.y, b.y) <= p.y && p.y <= std::max(a.y, b.y))
+        return Where::kBoundary;
+      if ((a.y <= p.y) != (b.y <= p.y) && (side > 0) == (b.y > a.y)) odd = !odd;
+    }
+    return odd ? Where::kInside : Where::kOutside;
+  }
+  /// Whether an edge meets a leaf grown by a quarter of its side: their boxes meet, and the corners
+  /// of the leaf are not all on one side.
+  [[nodiscard]] bool meets(EdgeId e, Cell leaf) const {
+    const LatticePoint low = tree().corner(leaf);
+    const std::int64_t side = std::int64_t{1} << tree().side_bits(leaf);
+    const std::array<Rational, 2> x{Rational(low.x - side / 4), Rational(low.x + side + side / 4)};
+    const std::array<Rational, 2> y{Rational(low.y - side / 4), Rational(low.y + side + side / 4)};
+    const RationalPoint a = at(e);
+    const RationalPoint b = at(domain_.next(e));
+    if (std::max(a.x, b.x) < x[0] || x[1] < std::min(a.x, b.x)) return false;
+    if (std::max(a.y, b.y) < y[0] || y[1] < std::min(a.y, b.y)) return false;
+    int left = 0;
+    int right = 0;
+    for (const Rational& there : x) {
+      left += cross(e, {there, y[0]}) >= 0 ? 1 : 0;
+      left += cross(e, {there, y[1]}) >= 0 ? 1 : 0;
+      right += cross(e, {there, y[0]}) <= 0 ? 1 : 0;
+      right += cross(e, {there, y[1]}) <= 0 ? 1 : 0;
+    }
+    return left > 0 && right > 0;
+  }
+
+ private:
+  static Domain domain_of(const Polygon& polygon) {
+    std::vector<Point> points;
+    for (const Ring& ring : polygon.rings) points.insert(points.end(), ring.begin(), ring.end());
+    const RootSquare root = place_root(points, {3, 5}).root;
+    const Domain whole = cut_kites(polygon, root, std::vector<bool>(points.size()));
+    std::vector<bool> cut;
+    for (EdgeId v = 0; v < whole.size(); ++v) cut.push_back(whole.is_acute(v));
+    return cut_kites(polygon, root, cut);
+  }
+  [[nodiscard]] PlacedPoints placed() const {
+    PlacedPoints points{domain_.root(), {}, {}};
+    for (EdgeId v = 0; v < domain_.size(); ++v) {
+      points.floors.push_back(domain_.floor(v));
+      points.rounded.push_back(domain_.rounded(v));
+    }
+    return points;
+  }
+
+  Domain domain_;
+  Separation separation_;
+};
+
+std::vector<Sample> samples() {
+  std::vector<Sample> result;
+  result.emplace_back(normalised(
+      {"off", {{{1e-7 / 3, -1e-9 / 7}, {1, 0.1}, {0.7, 1e-5 / 3 + 0.9}, {-1e-6 / 9, 0.5}}}}));
+  for (const char* recipe : {"star:n=8,seed=1,holes=1", "grid-aligned:n=8,seed=3,level=3"})
+    result.emplace_back(normalised(generate_polygon(parse_polygon_recipe(recipe))));
+  return result;
+}
+
+TEST(EdgeCells, ListEveryEdgeAtTheLeavesThatItMeetsAndTheSidesOfTheOthers) {
+  for (const Sample& sample : samples()) {
+    const EdgeCells edge_cells(sample.domain(), sample.tree());
+    std::vector<std::vector<EdgeId>> listed(4 * sample.tree().blocks().size());
+    edge_cells.for_met([&](Cell leaf, std::span<const EdgeId> edges) {
+      EXPECT_TRUE(std::is_sorted(edges.begin(), edges.end()));
+      EXPECT_EQ(edge_cells.where(leaf), Where::kUnknown);
+      listed[4 * std::size_t{leaf.block} + leaf.quadrant].assign(edges.begin(), edges.end());
+    });
+    for (BlockId block = 0; block < sample.tree().blocks().size(); ++block) {
+      for (const Quadrant q : kQuadrants) {
+        const Cell leaf{block, q};
+        if (!sample.tree().is_leaf(leaf)) continue;
+        const std::vector<EdgeId>& edges = listed[4 * std::size_t{block} + q];
+        for (EdgeId e = 0; e < sample.domain().size(); ++e)
+          EXPECT_TRUE(!sample.meets(e, leaf) || std::count(edges.begin(), edges.end(), e) == 1);
+        if (edges.empty()) {
+          EXPECT_EQ(edge_cells.where(leaf), sample.where(sample.tree().corner(leaf)));
+        }
+      }
+    }
+  }
+}
+
+TEST(EdgeCells, TellWherePointsOfMetLeavesLie) {
+  RandomIntegers random(5);
+  std::array<int, 4> found{};
+  for (const Sample& sample : samples()) {
+    const EdgeCells edge_cells(sample.domain(), sample.tree());
+    edge_cells.for_met([&](Cell leaf, std::span<const EdgeId> edges) {
+      const int side_bits = sample.tree().side_bits(leaf);
+      const LatticePoint low = sample.tree().corner(leaf);
+      std::vector<LatticePoint> points{
+          {low.x + random.bits(side_bits), low.y + random.bits(side_bits)}};
+      for (const EdgeId e : edges)
+        if (sample.tree().leaf_at(sample.domain().floor(e)) == leaf)
+          points.push_back(sample.domain().floor(e));
+      for (const LatticePoint point : points) {
+        const Where where = edge_cells.where_at(leaf, edges, point);
+        EXPECT_EQ(where, sample.where(point));
+        ++found[static_cast<std::size_t>(where)];
+      }
+    });
+  }
+  EXPECT_GT(*std::min_element(found.begin() + 1, found.end()), 3);
+}
+
+using PlacedQuad = std::array<std::pair<std::int64_t, std::int64_t>, 4>;
+
+template <class At>
+PlacedQuad placed(const Quad& quad, const At& at) {
+  PlacedQuad result{};
+  for (unsigned k = 0; k < 4; ++k) result[k] = {at(quad[k]).x, at(quad[k]).y};
+  return result;
+}
+
+TEST(TreeMesh, LeavesOutNothingButQuadsOutsideAndKeepsTheOrder) {
+  std::size_t left_out = 0;
+  for (const Sample& sample : samples()) {
+    const Quadtree& tree = sample.tree();
+    const EdgeCells edge_cells(sample.domain(), tree);
+    Counters counters;
+    const TreeMesh made(sample.domain(), sample.separation(), edge_cells, counters);
+    TemplateTree whole(tree);
+    Counters all;
+    const Mesh q = quadrangulate(whole, tree.root(), TwoTwoVariant::kExact, all);
+    EXPECT_EQ(counters, all);
+    // Sites are back at the centres of their cells.
+    const auto before = [&](VertexId v) {
+      if (!made.is_site(v)) return made.at(v);
+      const Cell cell = made.cell_of(made.site_near(v));
+      const std::int64_t half = std::int64_t{1} << (tree.side_bits(cell) - 1);
+      return LatticePoint{tree.corner(cell).x + half, tree.corner(cell).y + half};
+    };
+    const auto is_outside = [&](const auto& at) {
+      return sample.where({at.first, at.second}) == Where::kOutside;
+    };
+    QuadId next = 0;
+    for (const Quad& quad : q.quads) {
+      const PlacedQuad here = placed(quad, [&](VertexId v) { return q.vertices.lattice(v); });
+      if (next < made.mesh().quads.size() && placed(made.mesh().quads[next], before) == here) {
+        ++next;
+      } else {
+        ++left_out;
+        EXPECT_TRUE(std::all_of(here.begin(), here.end(), is_outside));
+      }
+    }
+    EXPECT_EQ(next, made.mesh().quads.size());
+  }
+  EXPECT_GT(left_out, 20U);
+}
+
+}  // namespace
+}  // namespace quadbound
