@@ -100,6 +100,11 @@ void CutQuads::judge(QuadId quad, EdgeId edge) {
   cuts_.push_back({quad, edge, from / square, to / square});
 }
 
+void CutQuads::forget_cuts() {
+  std::vector<Cut>().swap(cuts_);
+  std::vector<bool>().swap(is_cut_);
+}
+
 void CutQuads::collect_above() {
   for (const Cut& cut : cuts_) {
     for (const VertexId v : tree_mesh_.mesh().quads[cut.quad]) {

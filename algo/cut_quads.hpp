@@ -38,6 +38,8 @@ class CutQuads {
   CutQuads(const Domain& domain, const TreeMesh& tree_mesh, const EdgeCells& edge_cells);
 
   [[nodiscard]] const std::vector<Cut>& cuts() const { return cuts_; }
+  /// Gives back the memory of cuts and is_cut, which must not be asked any more.
+  void forget_cuts();
   [[nodiscard]] bool is_cut(QuadId quad) const { return is_cut_[quad]; }
   [[nodiscard]] Where where(VertexId vertex) const { return where_[vertex]; }
   [[nodiscard]] std::span<const Above> above(VertexId vertex) const;

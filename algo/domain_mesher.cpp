@@ -158,14 +158,14 @@ std::optional<DomainMesh> DomainMesher::round() {
   tree_mesh.forget_sites();
   counters_.kept_quads =
       static_cast<std::uint64_t>(std::count(kept.is_kept.begin(), kept.is_kept.end(), true));
-  DomainMesh made = assemble(domain_, tree_mesh, kept, strips);
+  DomainMesh made = assemble(domain_, tree_mesh.tree(), tree_mesh.take_mesh(), kept, strips);
   if (!fill(made, tree_mesh)) return std::nullopt;
   return made;
 }
 
 /// What is left of Q, and the strips around it; false where something is to be split first.
 bool DomainMesher::find_strips(TreeMesh& tree_mesh, KeptQuads& kept, std::vector<Strip>& strips) {
-  const CutQuads cut_quads(domain_, tree_mesh, *edge_cells_);
+  CutQuads cut_quads(domain_, tree_mesh, *edge_cells_);
   edge_cells_.reset();
   if (!is_separated(tree_mesh, cut_quads) || !is_fine_enough(tree_mesh, cut_quads)) return false;
   kept = keep_quads(tree_mesh, cut_quads);
@@ -179,6 +179,7 @@ bool DomainMesher::find_strips(TreeMesh& tree_mesh, KeptQuads& kept, std::vector
     return insert_lemmas(tree_mesh, cut_quads, kept, strips);
   aligned_ = align_with_corners(domain_, tree_mesh, cut_quads, kept, counters_.insertion);
   tree_mesh.forget_links();
+  cut_quads.forget_cuts();
   return insert(tree_mesh, cut_quads, kept, strips);
 }
 

@@ -36,21 +36,26 @@ struct Piece {
   StripConstruction construction = StripConstruction::kQuad;
   bool first_bump = false;  ///< the first (or only) link is a bump
   bool second_bump = false;
+  std::uint32_t middle = 0;  ///< where it has vertices of its own: its number among the Middles
+};
+
+/// The vertices of a pentagon or hexagon that are no states.
+struct Middle {
   LatticePoint steiner;
   std::int64_t foot = 0;
 };
 
 /// A vertex of alpha together with a point of the boundary that it is joined with.
 struct State {
+  FinePoint at;
+  std::int64_t foot = 0;
+  EdgeId edge = 0;
   bool at_site = false;  ///< joined with a vertex of the domain, `edge`; or with a foot on `edge`
   bool perpendicular = true;
-  EdgeId edge = 0;
-  std::int64_t foot = 0;
-  FinePoint at;
 
-  double slack = -1;  ///< of the best way here; negative where there is none
-  std::uint32_t quads = 0;
-  int from = 0;  ///< index along the chain
+  std::uint32_t quads = 0;  ///< of the best way here
+  double slack = -1;        ///< likewise; negative where there is none
+  int from = 0;             ///< index along the chain
   int from_state = 0;
   Piece piece;
 };
@@ -203,6 +208,7 @@ class Insertion {
     levels_.assign(alpha_.size(), 0);
     first_state_.assign(alpha_.size() + 2, 0);
     states_.clear();
+    middles_.clear();
     states_.reserve(kUsualStates * alpha_.size());
     find_bumps();
     append_states_at(vertex(0), 0, states_);
@@ -284,18 +290,24 @@ class Insertion {
                                               on_lattice(point(j + 2)), on_lattice(point(j + 1))});
   }
 
-  void offer(State& to, int from, int from_state, double slack, unsigned quads,
+  /// Whether it is taken.
+  bool offer(State& to, int from, int from_state, double slack, unsigned quads,
              const Piece& piece) {
-    if (!(slack > kSmallestSlack)) return;
+    if (!(slack > kSmallestSlack)) return false;
     const State& before = states(from)[static_cast<std::size_t>(from_state)];
     const double value = std::min({before.slack, slack, kEnoughSlack});
     const std::uint32_t count = before.quads + quads;
-    if (value < to.slack || (value == to.slack && count >= to.quads)) return;
+    if (value < to.slack || (value == to.slack && count >= to.quads)) return false;
     to.slack = value;
     to.quads = count;
     to.from = from;
     to.from_state = from_state;
     to.piece = piece;
+    return true;
+  }
+
+  [[nodiscard]] std::uint32_t next_middle() const {
+    return static_cast<std::uint32_t>(middles_.size());
   }
 
   [[nodiscard]] double quad_piece(const State& x, const State& y, int a, int b) const {
@@ -321,7 +333,7 @@ class Insertion {
         if (!in_order(from, to)) return;
         const double slack = std::min(link.slack, quad_piece(from, to, link.start, j));
         offer(to, link.start, from_state, slack, link.bump ? 2 : 1,
-              {StripConstruction::kQuad, link.bump, false, {}, 0});
+              {StripConstruction::kQuad, link.bump, false});
       });
     });
     if (to.at_site)
@@ -352,7 +364,7 @@ class Insertion {
                                                         on_lattice(point(second.start)),
                                                         on_lattice(point(first.start))})});
       offer(to, first.start, from_state, slack, 1U + first.bump + second.bump,
-            {StripConstruction::kFan, first.bump, second.bump, {}, 0});
+            {StripConstruction::kFan, first.bump, second.bump});
     });
   }
 
@@ -366,9 +378,10 @@ class Insertion {
       const auto made = mesh_pentagon(domain_, from.edge, from.at, to.at, point(first.start),
                                       point(second.start), point(j), least);
       if (!made) return;
-      offer(to, first.start, from_state, std::min(made->slack, bumps),
-            3U + first.bump + second.bump,
-            {StripConstruction::kPentagon, first.bump, second.bump, made->steiner, made->foot});
+      if (offer(to, first.start, from_state, std::min(made->slack, bumps),
+                3U + first.bump + second.bump,
+                {StripConstruction::kPentagon, first.bump, second.bump, next_middle()}))
+        middles_.push_back({made->steiner, made->foot});
     });
   }
 
@@ -380,8 +393,9 @@ class Insertion {
       const auto made =
           mesh_hexagon(from.at, domain_.at(corner), to.at, point(j - 2), point(j - 1), point(j));
       if (!made) return;
-      offer(to, j - 2, from_state, made->slack, 3,
-            {StripConstruction::kCornerHexagon, false, false, made->steiner, 0});
+      if (offer(to, j - 2, from_state, made->slack, 3,
+                {StripConstruction::kCornerHexagon, false, false, next_middle()}))
+        middles_.push_back({made->steiner});
     });
   }
 
@@ -394,7 +408,7 @@ class Insertion {
       if (from.from == j) return;  // itself reached by a corner
       const double slack = quad_slack(
           std::array<FinePoint, 4>{from.at, domain_.at(to.edge), to.at, on_lattice(point(j))});
-      offer(to, j, from_state, slack, 1, {StripConstruction::kCorner, false, false, {}, 0});
+      offer(to, j, from_state, slack, 1, {StripConstruction::kCorner});
     });
   }
 
@@ -446,7 +460,7 @@ class Insertion {
       strip.quads.push_back({{v0, v1, v2, v3}, piece.construction});
     };
     const auto steiner = [&] {
-      strip.steiner.push_back(piece.steiner);
+      strip.steiner.push_back(middles_[piece.middle].steiner);
       return StripVertex{Kind::kSteiner, static_cast<std::uint32_t>(strip.steiner.size() - 1), 0};
     };
     if (piece.first_bump) emit_bump(strip, to.from);
@@ -460,7 +474,7 @@ class Insertion {
         return add(x, {Kind::kSite, to.edge, 0}, y, c);
       case StripConstruction::kPentagon: {
         const StripVertex s = steiner();
-        const StripVertex z{Kind::kFoot, from.edge, piece.foot};
+        const StripVertex z{Kind::kFoot, from.edge, middles_[piece.middle].foot};
         add(x, z, s, a);
         add(z, y, c, s);
         return add(a, s, c, b);
@@ -485,6 +499,7 @@ class Insertion {
   std::vector<double> bumps_;  ///< by index, see find_bumps
   std::vector<State> states_;  ///< by index
   std::vector<std::size_t> first_state_;
+  std::vector<Middle> middles_;  ///< of all pieces that were taken, though better ones came after
 };
 
 }  // namespace

@@ -20,10 +20,9 @@ class ChainFinder {
       : domain_(domain), tree_mesh_(tree_mesh), chains_(domain.size()) {}
 
   std::vector<std::vector<VertexId>> run() && {
-    for_leaves_with_edges(domain_, tree_mesh_.tree(), {}, edges_of(domain_),
-                          [this](Cell leaf, std::span<const EdgeId> edges) {
-                            for (const EdgeId e : edges) add(leaf, e);
-                          });
+    EdgeCells(domain_, tree_mesh_.tree()).for_met([this](Cell leaf, std::span<const EdgeId> edges) {
+      for (const EdgeId e : edges) add(leaf, e);
+    });
     for (EdgeId e = 0; e < domain_.size(); ++e) sort(e);
     return std::move(chains_);
   }

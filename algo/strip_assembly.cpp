@@ -12,10 +12,14 @@ constexpr std::size_t kMostFeet = 2;
 
 class Assembly {
  public:
-  Assembly(const Domain& domain, const TreeMesh& tree_mesh, const KeptQuads& kept)
-      : domain_(domain), tree_mesh_(tree_mesh), kept_(kept), leaves_(tree_mesh.tree()) {
-    made_.mesh.vertices = Vertices(domain.root().exponent);
-    made_.mesh.cells = tree_mesh.tree().leaf_count();
+  Assembly(const Domain& domain, const Quadtree& tree, Mesh q, const KeptQuads& kept)
+      : domain_(domain),
+        kept_(kept),
+        tree_(tree),
+        leaves_(tree),
+        vertices_of_q_(std::move(q.vertices)) {
+    q.vertices = Vertices(domain.root().exponent);
+    made_.mesh = std::move(q);
     made_.mesh.construction_names.assign(kConstructionNames.begin(), kConstructionNames.end());
     made_.mesh.construction_names.insert(made_.mesh.construction_names.end(),
                                          kStripConstructionNames.begin(),
@@ -26,7 +30,7 @@ class Assembly {
     mark_kept_vertices(strips);
     reserve(strips);
     number_kept_vertices();
-    add_kept_quads();
+    number_kept_quads();
     for (EdgeId site = 0; site < domain_.size(); ++site) made_.vertex_of.push_back(add_site(site));
     number_feet(strips);
     for (const Strip& strip : strips) add_strip(strip);
@@ -36,11 +40,10 @@ class Assembly {
  private:
   /// Strips of EdgeInsertion::kLemmas have vertices of Q that no kept quad has: ends of spikes.
   void mark_kept_vertices(const std::vector<Strip>& strips) {
-    const Mesh& q = tree_mesh_.mesh();
-    number_.assign(q.vertices.size(), kNoVertex);
-    for (QuadId quad = 0; quad < q.quads.size(); ++quad)
+    number_.assign(vertices_of_q_.size(), kNoVertex);
+    for (QuadId quad = 0; quad < made_.mesh.quads.size(); ++quad)
       if (kept_.is_kept[quad])
-        for (const VertexId v : q.quads[quad]) number_[v] = 0;
+        for (const VertexId v : made_.mesh.quads[quad]) number_[v] = 0;
     for (const Strip& strip : strips)
       for (const StripQuad& quad : strip.quads)
         for (const StripVertex& v : quad.corners)
@@ -49,7 +52,8 @@ class Assembly {
 
   void number_kept_vertices() {
     for (VertexId v = 0; v < number_.size(); ++v)
-      if (number_[v] == 0) number_[v] = made_.mesh.vertices.add(tree_mesh_.at(v));
+      if (number_[v] == 0) number_[v] = made_.mesh.vertices.add(vertices_of_q_.lattice(v));
+    vertices_of_q_ = Vertices();
   }
 
   void reserve(const std::vector<Strip>& strips) {
@@ -67,14 +71,20 @@ class Assembly {
     made_.mesh.level.reserve(quads);
   }
 
-  void add_kept_quads() {
-    const Mesh& q = tree_mesh_.mesh();
-    for (QuadId quad = 0; quad < q.quads.size(); ++quad) {
+  /// Moved up to where others were.
+  void number_kept_quads() {
+    Mesh& mesh = made_.mesh;
+    QuadId count = 0;
+    for (QuadId quad = 0; quad < kept_.is_kept.size(); ++quad) {
       if (!kept_.is_kept[quad]) continue;
-      Quad numbered = q.quads[quad];
-      for (VertexId& v : numbered) v = number_[v];
-      add_quad(numbered, q.construction[quad], q.level[quad]);
+      for (unsigned k = 0; k < 4; ++k) mesh.quads[count][k] = number_[mesh.quads[quad][k]];
+      mesh.construction[count] = mesh.construction[quad];
+      mesh.level[count] = mesh.level[quad];
+      ++count;
     }
+    mesh.quads.resize(count);
+    mesh.construction.resize(count);
+    mesh.level.resize(count);
   }
 
   void add_quad(const Quad& quad, std::uint8_t construction, std::uint8_t level) {
@@ -130,7 +140,7 @@ class Assembly {
       for (unsigned k = 0; k < 4; ++k) {
         const StripVertex& v = quad.corners[k];
         numbered[k] = vertex(v, steiner);
-        if (v.kind == StripVertex::Kind::kMesh) level = std::max(level, level_of(v.id));
+        if (v.kind == StripVertex::Kind::kMesh) level = std::max(level, level_of(numbered[k]));
       }
       add_quad(numbered, number_of(quad.construction), level);
     }
@@ -151,15 +161,15 @@ class Assembly {
   }
 
   [[nodiscard]] std::uint8_t level_of(VertexId v) {
-    const Quadtree& tree = tree_mesh_.tree();
-    const Cell leaf = leaves_.leaf_at(tree_mesh_.at(v));
-    return static_cast<std::uint8_t>(tree.root().side_bits - tree.side_bits(leaf));
+    const Cell leaf = leaves_.leaf_at(made_.mesh.vertices.lattice(v));
+    return static_cast<std::uint8_t>(tree_.root().side_bits - tree_.side_bits(leaf));
   }
 
   const Domain& domain_;
-  const TreeMesh& tree_mesh_;
   const KeptQuads& kept_;
+  const Quadtree& tree_;
   LeafFinder leaves_;
+  Vertices vertices_of_q_;
   DomainMesh made_;
   std::vector<VertexId> number_;                       ///< of a vertex of Q in the mesh
   std::vector<std::pair<EdgeId, std::int64_t>> feet_;  ///< edge, place along it
@@ -168,9 +178,9 @@ class Assembly {
 
 }  // namespace
 
-DomainMesh assemble(const Domain& domain, const TreeMesh& tree_mesh, const KeptQuads& kept,
+DomainMesh assemble(const Domain& domain, const Quadtree& tree, Mesh q, const KeptQuads& kept,
                     const std::vector<Strip>& strips) {
-  return Assembly(domain, tree_mesh, kept).run(strips);
+  return Assembly(domain, tree, std::move(q), kept).run(strips);
 }
 
 }  // namespace quadbound

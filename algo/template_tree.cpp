@@ -25,6 +25,12 @@ NodeId TemplateTree::copy(const Quadtree& tree, const Window& window, BlockId bl
   return node;
 }
 
+void TemplateTree::forget() {
+  std::vector<std::array<std::uint32_t, 4>>().swap(children_);
+  std::vector<std::uint8_t>().swap(fates_);
+  std::vector<NodeId>().swap(node_of_block_);
+}
+
 void TemplateTree::set_fate(NodeId node, Quadrant q, ExtraFate fate) {
   const unsigned shift = 2U * q;
   fates_[node] = static_cast<std::uint8_t>((fates_[node] & ~(3U << shift)) |

@@ -89,6 +89,9 @@ class TemplateTree {
     return children_[node][q] & ~Quadtree::kLeaf;
   }
 
+  /// Gives back its memory.
+  void forget();
+
   /// All vertices but the last ones, the extra points of the case 2,2.
   [[nodiscard]] VertexId vertices_of_leaves() const { return vertices_of_leaves_; }
   void set_vertices_of_leaves(VertexId count) { vertices_of_leaves_ = count; }

@@ -113,6 +113,8 @@ void TreeMesh::forget_links() {
   release(quads_at_);
   release(grid_of_);
   release(other_grids_);
+  release(halves_extras_);
+  template_tree_.forget();
 }
 
 void TreeMesh::forget_sites() { release(site_near_); }

@@ -39,10 +39,12 @@ class TreeMesh {
   [[nodiscard]] const Quadtree& tree() const { return tree_; }
   [[nodiscard]] const Window& window() const { return window_; }
   [[nodiscard]] const Mesh& mesh() const { return mesh_; }
+  /// Leaves no mesh behind.
+  [[nodiscard]] Mesh take_mesh() { return std::exchange(mesh_, Mesh()); }
   [[nodiscard]] LatticePoint at(VertexId vertex) const { return mesh_.vertices.lattice(vertex); }
   void move_to(VertexId vertex, LatticePoint point) { mesh_.vertices.move_to(vertex, point); }
-  /// Give back the memory of quads_at and for_grids_with, and of site_near and is_site, which must
-  /// not be asked any more.
+  /// Give back the memory of quads_at, for_grids_with and what is known of leaves, and of site_near
+  /// and is_site, which must not be asked any more.
   void forget_links();
   void forget_sites();
 

@@ -263,20 +263,19 @@ struct InsertionStage : AfterKeeping {
   std::vector<std::pair<VertexId, LatticePoint>> before_run;
 };
 
-DomainMesh assembly_of(const AfterInsertion& before) {
-  return assemble(before.domain, before.tree_mesh, before.kept, before.insertion.strips);
-}
-
-/// There are no kites to be filled.
+/// There are no kites to be filled. What becomes of Q is a copy.
 struct AssemblyStage : AfterInsertion {
   static constexpr std::string_view kName = "assembly";
   using AfterInsertion::AfterInsertion;
-  void prepare() {}
-  [[nodiscard]] DomainMesh run() const { return assembly_of(*this); }
+  void prepare() { q = tree_mesh.mesh(); }
+  [[nodiscard]] DomainMesh run() {
+    return assemble(domain, separation.tree(), std::move(q), kept, insertion.strips);
+  }
   [[nodiscard]] bool is_right(const DomainMesh& made) const {
     return made.mesh.quads.size() == c.answer.quads &&
            made.mesh.vertices.size() == c.answer.vertices;
   }
+  Mesh q;
 };
 
 struct MeshingStage {
