@@ -113,13 +113,14 @@ bool Judge::judge_all_quad() {
 void Judge::judge_mesh() {
   const CornersByVertex corners(mesh_.quads, mesh_.vertices.size(), threads_);
   look_at_input(corners);
-  look_at_stored_coordinates(corners);
-  const std::vector<std::uint8_t> passes = survey();
+  std::vector<std::uint8_t> passes;
+  survey_ = survey_quads(plane_, mesh_.quads, angles_, exempt_, threads_, passes);
   report_.decisions = survey_.decisions;
   links_ = link_corners(corners, passes, threads_);
   loops_ = trace_loops(links_.unpaired);
   has_sound_boundary_ = look_at_boundary();
   count();
+  judge_stored_coordinates(corners);
   judge_distinct_vertices(corners);
   judge_conforming();
   judge_strictly_convex();
@@ -141,23 +142,13 @@ void Judge::count() {
   report_.edges = (links_.directed_edges + links_.unpaired.size()) / 2;
 }
 
-void Judge::look_at_stored_coordinates(const CornersByVertex& corners) {
+void Judge::judge_stored_coordinates(const CornersByVertex& corners) {
   report_.every_vertex_is_a_double = !find_rounded(stored_plane_, corners, threads_);
-  if (!report_.every_vertex_is_a_double) infinite_vertex_ = find_infinite(stored_plane_, corners);
-}
-
-/// Returns the passes.
-std::vector<std::uint8_t> Judge::survey() {
+  if (report_.every_vertex_is_a_double) return;
+  infinite_vertex_ = find_infinite(stored_plane_, corners);
+  if (infinite_vertex_) return;
   std::vector<std::uint8_t> passes;
-  if (report_.every_vertex_is_a_double || infinite_vertex_) {
-    survey_ = survey_quads(plane_, mesh_.quads, angles_, exempt_, threads_, passes);
-  } else {
-    Surveys both =
-        survey_both(plane_, stored_plane_, mesh_.quads, angles_, exempt_, threads_, passes);
-    survey_ = std::move(both.exact);
-    stored_survey_ = std::move(both.stored);
-  }
-  return passes;
+  stored_survey_ = survey_quads(stored_plane_, mesh_.quads, angles_, exempt_, threads_, passes);
 }
 
 // --- tiling --------------------------------------------------------------------------------------

@@ -22,9 +22,6 @@ class Linker {
       if (is_surely_closed(at)) {
         links_.directed_edges += at.size();
         check_turns(v, at);
-      } else if (const auto first = start_of_fan(at)) {
-        links_.directed_edges += at.size();
-        links_.unpaired.push_back({v, corners_.next(*first), *first});
       } else {
         link_any(v, at);
       }
@@ -74,39 +71,6 @@ class Linker {
       closed &= paired;
     }
     return closed;
-  }
-
-  /// The corner that the unpaired edge leaves where all corners are one fan, and their outgoing
-  /// edges differ: the usual vertex of a boundary. Of many corners nothing is said.
-  [[nodiscard]] std::optional<CornerIndex> start_of_fan(std::span<const CornerIndex> at) const {
-    constexpr std::size_t kMost = 4;
-    if (at.size() > kMost) return std::nullopt;
-    std::array<VertexId, kMost> next;
-    std::array<VertexId, kMost> previous;
-    for (std::size_t i = 0; i < at.size(); ++i) {
-      next[i] = corners_.next(at[i]);
-      previous[i] = corners_.previous(at[i]);
-    }
-    const auto place_in = [&](const std::array<VertexId, kMost>& of, VertexId v) {
-      return static_cast<std::size_t>(
-          std::find(of.begin(), of.begin() + static_cast<std::ptrdiff_t>(at.size()), v) -
-          of.begin());
-    };
-    std::size_t first = at.size();
-    for (std::size_t i = 0; i < at.size(); ++i) {
-      if (place_in(next, next[i]) != i) return std::nullopt;
-      if (place_in(previous, next[i]) != at.size()) continue;
-      if (first != at.size()) return std::nullopt;
-      first = i;
-    }
-    if (first == at.size()) return std::nullopt;
-    std::size_t size = 1;
-    // Twice the same incoming edge could lead in circles.
-    for (std::size_t i = place_in(next, previous[first]); i != at.size() && size <= at.size();
-         i = place_in(next, previous[i]))
-      ++size;
-    if (size != at.size()) return std::nullopt;
-    return at[first];
   }
 
   void check_turns(VertexId v, std::span<const CornerIndex> at) {

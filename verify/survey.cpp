@@ -167,40 +167,6 @@ int slack_filter(Int128 rise, Int128 run, double largest, double edge_squared) {
   return left > right * 1.001 ? -1 : 0;
 }
 
-/// A quad on the lattice, and its corners in doubles: differences are rounded once.
-struct LatticeQuad {
-  explicit LatticeQuad(const std::array<LatticePoint, 4>& p) : edges(edges_of(p)) {
-    std::array<double, 4> x;
-    std::array<double, 4> y;
-    std::array<double, 4> length;
-    for (std::size_t i = 0; i < 4; ++i) {
-      x[i] = static_cast<double>(edges.x[i]);
-      y[i] = static_cast<double>(edges.y[i]);
-      length[i] = std::abs(x[i]) + std::abs(y[i]);
-    }
-    for (std::size_t i = 0; i < 4; ++i) {
-      const std::size_t before = (i + 3) % 4;
-      cross[i] = x[before] * y[i] - y[before] * x[i];
-      dot[i] = -(x[before] * x[i]) - y[before] * y[i];
-      size[i] = length[before] * length[i];
-    }
-  }
-  Edges edges;
-  std::array<double, 4> cross;
-  std::array<double, 4> dot;
-  std::array<double, 4> size;
-};
-
-/// nullopt where a corner is off the lattice.
-template <class Plane>
-std::optional<std::array<LatticePoint, 4>> lattice_corners(const Plane& plane, const Quad& quad) {
-  if (!plane.on_lattice(quad[0]) || !plane.on_lattice(quad[1]) || !plane.on_lattice(quad[2]) ||
-      !plane.on_lattice(quad[3]))
-    return std::nullopt;
-  return std::array{plane.lattice(quad[0]), plane.lattice(quad[1]), plane.lattice(quad[2]),
-                    plane.lattice(quad[3])};
-}
-
 /// A corner that others are compared with again and again; in lowest terms, so that the usual ones
 /// (right angles, the bounds themselves) are small numbers.
 class Threshold {
@@ -230,7 +196,7 @@ class Threshold {
   bool is_small_ = true;
 };
 
-/// Surveys one chunk of quads, one after the other.
+/// Surveys one chunk of quads.
 template <class Plane>
 class Surveyor {
  public:
@@ -240,27 +206,18 @@ class Surveyor {
     update_filter();
   }
 
-  /// Returns its passes.
-  std::uint8_t look_at(std::size_t q) {
-    if (const auto corners = lattice_corners(plane_, quads_[q]))
-      return look_at(q, LatticeQuad(*corners));
-    return off_lattice_quad(q, quads_[q]);
-  }
-  /// Where its corners on the lattice are known.
-  std::uint8_t look_at(std::size_t q, const LatticeQuad& quad) {
-    if constexpr (!kMeasuresRounding) survey_.lattice_area.add(doubled_area(quad.edges));
-    for (std::size_t i = 0; i < 4; ++i) {
-      if (is_uninteresting(quad.cross[i], quad.dot[i], quad.size[i])) {
-        ++survey_.decisions.filter;
+  Survey survey(std::size_t begin, std::size_t end, std::vector<std::uint8_t>& passes) {
+    for (std::size_t q = begin; q < end; ++q) {
+      const Quad& quad = quads_[q];
+      if (plane_.on_lattice(quad[0]) && plane_.on_lattice(quad[1]) && plane_.on_lattice(quad[2]) &&
+          plane_.on_lattice(quad[3])) {
+        passes[q] = lattice_quad(q, quad);
       } else {
-        ++survey_.decisions.lattice;
-        const auto corner = corner_of(quad.edges, i);
-        if (!is_exactly_uninteresting(corner)) judge(CornerId{q, static_cast<int>(i)}, corner);
+        passes[q] = off_lattice_quad(q, quad);
       }
     }
-    return passes_of(quad.edges);
+    return std::move(survey_);
   }
-  Survey take() { return std::move(survey_); }
 
   /// Only these corners, and of the result only the bounds. Requires: exempt is empty.
   Survey survey(std::span<const CornerId> corners) {
@@ -273,8 +230,36 @@ class Surveyor {
 
  private:
   static constexpr bool kMeasuresRounding = std::is_same_v<Plane, StoredPlane>;
+  using Doubles = std::array<double, 4>;
   using FixedQuad = std::array<FixedPoint, 4>;
   using Around = std::array<VertexId, 3>;  ///< the vertices before, at and after a corner
+
+  std::uint8_t lattice_quad(std::size_t q, const Quad& quad) {
+    const Edges edges = edges_of(std::array{plane_.lattice(quad[0]), plane_.lattice(quad[1]),
+                                            plane_.lattice(quad[2]), plane_.lattice(quad[3])});
+    if constexpr (!kMeasuresRounding) survey_.lattice_area.add(doubled_area(edges));
+    Doubles x;
+    Doubles y;
+    Doubles length;
+    for (std::size_t i = 0; i < 4; ++i) {
+      x[i] = static_cast<double>(edges.x[i]);
+      y[i] = static_cast<double>(edges.y[i]);
+      length[i] = std::abs(x[i]) + std::abs(y[i]);
+    }
+    for (std::size_t i = 0; i < 4; ++i) {
+      const std::size_t before = (i + 3) % 4;
+      const double cross = x[before] * y[i] - y[before] * x[i];
+      const double dot = -(x[before] * x[i]) - y[before] * y[i];
+      if (is_uninteresting(cross, dot, length[before] * length[i])) {
+        ++survey_.decisions.filter;
+      } else {
+        ++survey_.decisions.lattice;
+        const auto corner = corner_of(edges, i);
+        if (!is_exactly_uninteresting(corner)) judge(CornerId{q, static_cast<int>(i)}, corner);
+      }
+    }
+    return passes_of(edges);
+  }
 
   static Around around_corner(const Quad& quad, std::size_t i) {
     return {quad[(i + 3) % 4], quad[i], quad[(i + 1) % 4]};
@@ -578,41 +563,10 @@ Survey survey_quads(const Plane& plane, const std::vector<Quad>& quads,
                     const Threads& threads, std::vector<std::uint8_t>& passes) {
   passes.resize(quads.size());
   auto parts = for_chunks<Survey>(threads, quads.size(), [&](std::size_t begin, std::size_t end) {
-    Surveyor<Plane> surveyor(plane, quads, interval, exempt);
-    for (std::size_t q = begin; q < end; ++q) passes[q] = surveyor.look_at(q);
-    return surveyor.take();
+    return Surveyor<Plane>(plane, quads, interval, exempt).survey(begin, end, passes);
   });
   Survey total;
   for (Survey& part : parts) merge(total, part);
-  return total;
-}
-
-Surveys survey_both(const ExactPlane& exact, const StoredPlane& stored,
-                    const std::vector<Quad>& quads, const AngleInterval& interval,
-                    std::span<const CornerId> exempt, const Threads& threads,
-                    std::vector<std::uint8_t>& passes) {
-  passes.resize(quads.size());
-  auto parts = for_chunks<Surveys>(threads, quads.size(), [&](std::size_t begin, std::size_t end) {
-    Surveyor<ExactPlane> of_exact(exact, quads, interval, exempt);
-    Surveyor<StoredPlane> of_stored(stored, quads, interval, exempt);
-    for (std::size_t q = begin; q < end; ++q) {
-      const auto corners = lattice_corners(exact, quads[q]);
-      if (corners && corners == lattice_corners(stored, quads[q])) {
-        const LatticeQuad quad(*corners);
-        passes[q] = of_exact.look_at(q, quad);
-        of_stored.look_at(q, quad);
-      } else {
-        passes[q] = of_exact.look_at(q);
-        of_stored.look_at(q);
-      }
-    }
-    return Surveys{of_exact.take(), of_stored.take()};
-  });
-  Surveys total;
-  for (Surveys& part : parts) {
-    merge(total.exact, part.exact);
-    merge(total.stored, part.stored);
-  }
   return total;
 }
 

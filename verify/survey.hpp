@@ -100,17 +100,6 @@ Survey survey_quads(const Plane& plane, const std::vector<Quad>& quads,
                     const AngleInterval& interval, std::span<const CornerId> exempt,
                     const Threads& threads, std::vector<std::uint8_t>& passes);
 
-/// On both planes, with the guarantees of survey_quads for either; passes are those of the exact
-/// one. Quads that rounding leaves alone are measured once.
-struct Surveys {
-  Survey exact;
-  Survey stored;
-};
-Surveys survey_both(const ExactPlane& exact, const StoredPlane& stored,
-                    const std::vector<Quad>& quads, const AngleInterval& interval,
-                    std::span<const CornerId> exempt, const Threads& threads,
-                    std::vector<std::uint8_t>& passes);
-
 /// Only these corners, each against the bounds; the result has only smallest and largest, with the
 /// second guarantee of survey_quads.
 /// Requires: as survey_quads; corners ascend.
