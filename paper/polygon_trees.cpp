@@ -82,8 +82,9 @@ Quadtree separated_tree(const std::vector<LatticePoint>& vertices, const Domain&
   Separation separation({domain.root(), vertices, std::vector<bool>(vertices.size())}, Budget{});
   separation.apply_conditions();
   separation.refine_five_by_five();
-  for (auto large = leaves_too_large(domain, separation.tree()); !large.empty();
-       large = leaves_too_large(domain, separation.tree()))
+  for (auto large = leaves_too_large(domain, separation.tree(), {domain, separation.tree()});
+       !large.empty();
+       large = leaves_too_large(domain, separation.tree(), {domain, separation.tree()}))
     separation.refine(large);
   return std::move(separation).take_tree();
 }
