@@ -32,10 +32,12 @@ class Grid {
                      [&](LatticePoint c) { return c.x == cell.x && c.y == cell.y; }) -
         kRing.begin());
   }
+  /// kNoVertex where Q leaves it out: outside the domain.
   [[nodiscard]] VertexId centre(std::size_t place) const {
     const LatticePoint cell = kRing[place % kTurn];
     const LatticePoint p{low_.x + cell.x * side_ + side_ / 2, low_.y + cell.y * side_ + side_ / 2};
-    return tree_mesh_.centre(tree_mesh_.tree().leaf_at(p));
+    const Cell leaf = tree_mesh_.tree().leaf_at(p);
+    return tree_mesh_.has(leaf) ? tree_mesh_.centre(leaf) : kNoVertex;
   }
 
  private:
@@ -303,6 +305,8 @@ std::optional<Corner> find_corner(const Domain& domain, const TreeMesh& tree_mes
   Corner corner{site, {}, first % 2 == 0};
   for (std::size_t k = 0; k <= edges; ++k)
     corner.chain.push_back(grid.centre(first + 2 * kTurn - k));
+  if (std::find(corner.chain.begin(), corner.chain.end(), kNoVertex) != corner.chain.end())
+    return std::nullopt;
   return corner;
 }
 

@@ -26,7 +26,8 @@ struct CornerFeet {
   std::int64_t of_w;
 };
 
-/// nullopt where u or w is not in the 3x3 cells around v, or where u lies beyond w.
+/// nullopt where u or w is not in the 3x3 cells around v, or where u lies beyond w
+/// or a cell between them outside the domain.
 std::optional<Corner> find_corner(const Domain& domain, const TreeMesh& tree_mesh, EdgeId site,
                                   VertexId u, VertexId w);
 

@@ -39,8 +39,9 @@ class ChainFinder {
       add_if_above(beside, e);
   }
 
-  /// Whether its centre is above.
+  /// Whether its centre is above. A leaf that Q leaves out is outside the domain.
   bool add_if_above(Cell leaf, EdgeId e) {
+    if (!tree_mesh_.has(leaf)) return false;
     const VertexId centre = tree_mesh_.centre(leaf);
     if (domain_.side(e, tree_mesh_.at(centre)) <= 0) return false;
     if (!tree_mesh_.is_site(centre)) chains_[e].push_back(centre);
