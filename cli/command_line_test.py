@@ -15,6 +15,7 @@ import time
 import unittest
 
 PROGRAM = ""
+DATA = pathlib.Path(__file__).resolve().parent.parent / "paper" / "data"
 FORMATS = ("json", "vtu", "msh", "obj", "svg", "pdf", "png")
 # All coordinates of its mesh are doubles, and the paper's warping breaks it.
 RECIPE = "uniform:n=20,seed=1,bits=8"
@@ -670,6 +671,18 @@ class FuzzPolygons(CommandLineTest):
         done = self.run_it("fuzz", "-q", "--count", 1000, "--family", "regular", "--max-cells", 1,
                            status=1)
         self.assertIn("quadbound: kite tip was never reached", done.stderr_text)
+
+
+class Reproduce(CommandLineTest):
+    def test_sizes_that_are_given_win_over_full(self):
+        self.run_it("reproduce", "--max-n", 100, "--full", "--trees", 20, "--audits", 100,
+                    "--data", DATA, "--out", "out")
+        self.assertIn("quadbound reproduce --max-n 100 --trees 20 --audits 100\n",
+                      (self.folder / "out" / "reproduction.md").read_text())
+
+    def test_help_names_the_sizes_of_full(self):
+        self.assertRegex(self.run_it("reproduce", "--help").stdout_text,
+                         r"--full is --max-n \d{6,} --trees \d{4,} --audits \d{5,}")
 
 
 if __name__ == "__main__":

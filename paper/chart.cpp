@@ -16,8 +16,7 @@ constexpr double kLeft = 64;
 constexpr double kRight = 20;
 constexpr double kTop = 84;
 constexpr double kBottom = 56;
-constexpr double kLowestN = 2;  // powers of ten
-constexpr double kHighestN = 5;
+constexpr double kLowestN = 2;     // powers of ten
 constexpr double kApart = 6;       // of the families at the same n
 constexpr double kStep = 20;       // of the axis of N / n
 constexpr double kTopRatio = 120;  // what is above is drawn at the top, with its value
@@ -31,7 +30,10 @@ constexpr std::string_view kPaperColour = "#222222";
 
 class Chart {
  public:
-  explicit Chart(const Reproduction& reproduction) : r_(reproduction) {}
+  explicit Chart(const Reproduction& reproduction) : r_(reproduction) {
+    for (const Group& g : r_.groups)
+      highest_n_ = std::max(highest_n_, std::log10(static_cast<double>(g.points)));
+  }
 
   std::string draw() {
     out_ = fmt::format(
@@ -50,8 +52,8 @@ class Chart {
   }
 
  private:
-  [[nodiscard]] static double x(double n) {
-    const double share = (std::log10(n) - kLowestN) / (kHighestN - kLowestN);
+  [[nodiscard]] double x(double n) const {
+    const double share = (std::log10(n) - kLowestN) / (highest_n_ - kLowestN);
     return kLeft + 14 + share * (kWidth - kLeft - kRight - 28);
   }
   [[nodiscard]] static double y(double ratio) {
@@ -74,7 +76,9 @@ class Chart {
       line(kLeft, y(ratio), kWidth - kRight, y(ratio), "stroke=\"#e4e4e4\"");
       text(kLeft - 8, y(ratio) + 4, "end", fmt::format("{}", ratio));
     }
-    for (const int n : {100, 300, 1000, 3000, 10'000, 30'000, 100'000}) {
+    for (const int n : {100, 300, 1000, 3000, 10'000, 30'000, 100'000, 300'000, 1'000'000,
+                        3'000'000, 10'000'000}) {
+      if (std::log10(n) > highest_n_) break;
       line(x(n), y(0), x(n), y(0) + 5, "stroke=\"#222222\"");
       text(x(n), y(0) + 20, "middle", fmt::format("{}", n));
     }
@@ -157,6 +161,7 @@ class Chart {
   }
 
   const Reproduction& r_;
+  double highest_n_ = 5;  // powers of ten
   std::string out_;
 };
 

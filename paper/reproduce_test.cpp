@@ -159,6 +159,14 @@ TEST_F(Reproduce, TimesAreInOneFileOnly) {
   EXPECT_EQ(file("reproduction.json").find("seconds"), std::string::npos);
 }
 
+TEST(ReproduceSizes, FullIsLargerInAllThree) {
+  const MeasureOptions usual;
+  const MeasureOptions full = full_measure_options();
+  EXPECT_GE(full.max_n, 10 * usual.max_n);
+  EXPECT_GE(full.trees, 10 * usual.trees);
+  EXPECT_GE(full.audits, 10 * usual.audits);
+}
+
 TEST(ReproduceErrors, MissingDataIsBadInput) {
   ReproduceOptions options;
   options.out =

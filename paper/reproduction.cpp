@@ -20,7 +20,8 @@
 namespace quadbound {
 namespace {
 
-constexpr std::array<std::uint64_t, 7> kSizes{100, 300, 1000, 3000, 10'000, 30'000, 100'000};
+constexpr std::array<std::uint64_t, 11> kSizes{
+    100, 300, 1000, 3000, 10'000, 30'000, 100'000, 300'000, 1'000'000, 3'000'000, 10'000'000};
 constexpr std::uint64_t kSeeds = 5;
 constexpr std::uint64_t kLargeSize = 100'000;  ///< from here on fewer seeds
 constexpr std::uint64_t kSeedsOfLarge = 3;
@@ -243,6 +244,14 @@ const Group* Reproduction::find(const std::string& set, std::uint64_t points,
     return g.set == set && g.points == points && g.refinement == refinement;
   });
   return found == groups.end() ? nullptr : &*found;
+}
+
+MeasureOptions full_measure_options() {
+  MeasureOptions options;
+  options.max_n = 1'000'000;
+  options.trees = 20'000;
+  options.audits = 200'000;
+  return options;
 }
 
 Reproduction measure(const MeasureOptions& options, Watcher& watcher) {

@@ -77,6 +77,9 @@ struct MeasureOptions {
   unsigned threads = 1;           ///< of the judge
 };
 
+/// The sizes of a run that takes long: `quadbound reproduce --full`.
+MeasureOptions full_measure_options();
+
 /// Guarantees: 1. all but `times` depends on the options alone, and not on the threads.
 /// Errors: InputError where a file of Lake Superior is missing, or a file is not what it should be.
 /// Complexity: some 40 s on one core at max_n = 100,000, growing linearly; 0.5 GB.
