@@ -9,8 +9,29 @@ import sys
 import tempfile
 import unittest
 
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+import map_polygons  # noqa: E402
+
 PROGRAM = ""
-MAP_POLYGONS = pathlib.Path(__file__).resolve().parent / "map_polygons.py"
+
+
+class Column(list):
+    """Of a file of GSHHG: what map_polygons.py asks of numpy."""
+
+    def __getitem__(self, _):
+        return self
+
+    def tolist(self):
+        return list(self)
+
+    def astype(self, _):
+        return Column(x & 0xFFFF for x in self)
+
+
+class Shorelines(dict):
+    def set_auto_mask(self, _):
+        pass
 
 
 def square(x, side=1.0, y=0):
@@ -76,9 +97,9 @@ class Sizes(unittest.TestCase):
             self.assertRegex(done.stderr, r"\Apolygon_sizes: [^\n]+\n\Z")
         self.assertIn("Examples:\n  polygon_sizes", self.run_it("--help").stdout)
 
-    def map_polygons(self, text, *options, status=0):
+    def take(self, text, *options, status=0):
         (self.folder / "map.json").write_text(text)
-        done = subprocess.run([sys.executable, "-B", MAP_POLYGONS, "map.json", "out", *map(str, options)],
+        done = subprocess.run([sys.executable, "-B", map_polygons.__file__, "map.json", "out", *map(str, options)],
                               capture_output=True, text=True, cwd=self.folder)
         self.assertEqual(done.returncode, status, done.stderr)
         return done
@@ -90,15 +111,40 @@ class Sizes(unittest.TestCase):
         features = [{"type": "Feature", "properties": {}, "geometry": part} for part in parts]
         for collection in ({"type": "GeometryCollection", "geometries": parts},
                            {"type": "FeatureCollection", "features": features}):
-            self.map_polygons(json.dumps(collection), "--first", 2, "--least", 12)
+            self.take(json.dumps(collection), "--first", 2, "--least", 12)
             files = sorted((self.folder / "out").iterdir())
             self.assertEqual([file.stem for file in files], ["00001", "00002", "00004"])
             sizes = [sum(len(ring) - 1 for ring in json.loads(file.read_text())["coordinates"]) for file in files]
             self.assertEqual(sizes, [17, 16, 14])
         self.assertEqual(self.rows(files[0])[0][1], "17")
 
+    def test_gshhg_is_put_together(self):
+        """A square across the meridian of Greenwich, in two pieces: one in the north-west square, one in the last of its row."""
+        counts = [0] * 360 * 180
+        counts[0] = counts[359] = 1
+        data = Shorelines(
+            Embedded_npts_levels_exit_entry_for_a_segment=Column([(4 << 9) + 3, 4 << 9]),
+            Id_of_first_point_in_a_segment=Column([0, 4]), Id_of_GSHHS_ID=Column([7, 7]), N_segments_in_a_bin=Column(counts),
+            Relative_longitude_from_SW_corner_of_bin=Column([0, 9, 9, 0, -1, -10, -10, -1]),
+            Relative_latitude_from_SW_corner_of_bin=Column([1, 1, 19, 19, 19, 19, 1, 1]))
+        pieces = map_polygons.segments(data)
+        self.assertEqual(list(pieces), [7])
+        ring = map_polygons.joined(pieces[7])
+        low = 65535 * 89
+        self.assertEqual(ring, [(0, low + 1), (9, low + 1), (9, low + 19), (0, low + 19), (-9, low + 19), (-9, low + 1),
+                                (0, low + 1)])
+        turn = map_polygons.TURN
+        hole = [(turn - 3, low + 5), (turn - 2, low + 5), (turn - 2, low + 6), (turn - 3, low + 5)]
+        self.assertEqual(map_polygons.moved_east_of(-9, hole)[0], (-3, low + 5))
+
+    def test_rings_that_are_none_are_not_put_together(self):
+        around = [[(0, 5), (map_polygons.TURN, 5)]]
+        self.assertIsNone(map_polygons.joined(around))
+        eight = [[(0, 0), (1, 0), (0, 0)], [(0, 0), (0, 1), (0, 0)]]
+        self.assertIsNone(map_polygons.joined(eight))
+
     def test_a_map_that_is_none_is_refused(self):
-        self.assertRegex(self.map_polygons("{", status=1).stderr, r"\Amap_polygons.py: map.json: [^\n]+\n\Z")
+        self.assertRegex(self.take("{", status=1).stderr, r"\Amap_polygons.py: map.json: [^\n]+\n\Z")
 
 
 if __name__ == "__main__":
