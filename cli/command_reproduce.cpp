@@ -52,7 +52,7 @@ the paper's own warping, the polygons of Figures 46 to 53, and the lemmas of Sec
 mesh is proved. Some 50 seconds and 0.5 GB on one core.
 
 --full is --max-n {} --trees {} --audits {}; the ones that are given stay as
-given. Some 15 minutes and 5 GB on one core.
+given. Some 10 minutes and 4.6 GB on one core.
 
 Examples:
   quadbound reproduce
