@@ -150,23 +150,17 @@ class Lemma12 {
     if (other && (!best || other->slack > best->slack)) best = std::move(other);
   }
 
+  struct Place {
+    StripVertex vertex;
+    FinePoint at;
+  };
+
   /// v is joined to the Steiner point next to u, the other one has its foot on f.
   [[nodiscard]] std::optional<StripPart> joined_to_first(const CornerFeet& feet, LatticePoint first,
                                                          LatticePoint second) const {
     const std::int64_t z = domain_.foot(f_, second);
     if (!on_f(z) || domain_.along(f_, z) >= domain_.along(f_, feet.of_w)) return std::nullopt;
-    StripPart part = above(first, second);
-    const StripVertex s = steiner(0);
-    const StripVertex r = steiner(1);
-    const FinePoint at_s = on_lattice(first);
-    const FinePoint at_r = on_lattice(second);
-    constexpr StripConstruction kHow = StripConstruction::kCorner;
-    part.add_quad({foot_on_e(feet.of_u), site(), s, vertex(0)}, {at_e(feet.of_u), v_, at_s, at(0)},
-                  kHow);
-    part.add_quad({site(), foot_on_f(z), r, s}, {v_, at_f(z), at_r, at_s}, kHow);
-    part.add_quad({foot_on_f(z), foot_on_f(feet.of_w), vertex(1), r},
-                  {at_f(z), at_f(feet.of_w), at(1), at_r}, kHow);
-    return part;
+    return four_quads(feet, first, second, {site(), v_}, {foot_on_f(z), at_f(z)});
   }
 
   /// v is joined to the Steiner point next to w, the other one has its foot on e.
@@ -175,17 +169,25 @@ class Lemma12 {
                                                           LatticePoint second) const {
     const std::int64_t z = domain_.foot(e_, first);
     if (!on_e(z) || domain_.along(e_, z) <= domain_.along(e_, feet.of_u)) return std::nullopt;
+    return four_quads(feet, first, second, {foot_on_e(z), at_e(z)}, {site(), v_});
+  }
+
+  /// The Steiner points are joined to `below_first` and `below_second` on the boundary.
+  [[nodiscard]] StripPart four_quads(const CornerFeet& feet, LatticePoint first,
+                                     LatticePoint second, const Place& below_first,
+                                     const Place& below_second) const {
     StripPart part = above(first, second);
     const StripVertex s = steiner(0);
     const StripVertex r = steiner(1);
     const FinePoint at_s = on_lattice(first);
     const FinePoint at_r = on_lattice(second);
     constexpr StripConstruction kHow = StripConstruction::kCorner;
-    part.add_quad({foot_on_e(feet.of_u), foot_on_e(z), s, vertex(0)},
-                  {at_e(feet.of_u), at_e(z), at_s, at(0)}, kHow);
-    part.add_quad({foot_on_e(z), site(), r, s}, {at_e(z), v_, at_r, at_s}, kHow);
-    part.add_quad({site(), foot_on_f(feet.of_w), vertex(1), r}, {v_, at_f(feet.of_w), at(1), at_r},
-                  kHow);
+    part.add_quad({foot_on_e(feet.of_u), below_first.vertex, s, vertex(0)},
+                  {at_e(feet.of_u), below_first.at, at_s, at(0)}, kHow);
+    part.add_quad({below_first.vertex, below_second.vertex, r, s},
+                  {below_first.at, below_second.at, at_r, at_s}, kHow);
+    part.add_quad({below_second.vertex, foot_on_f(feet.of_w), vertex(1), r},
+                  {below_second.at, at_f(feet.of_w), at(1), at_r}, kHow);
     return part;
   }
 

@@ -28,15 +28,6 @@ std::vector<VertexId> path_above(const Quad& quad, const Up& up) {
   return path;
 }
 
-std::vector<VertexId> without_repeated(const std::vector<VertexId>& chain) {
-  std::vector<VertexId> result;
-  for (const VertexId v : chain) {
-    result.push_back(v);
-    while (result.size() > 2 && result[result.size() - 3] == v) result.resize(result.size() - 2);
-  }
-  return result;
-}
-
 Int128 cross(LatticePoint origin, LatticePoint a, LatticePoint b) {
   return Int128{a.x - origin.x} * (b.y - origin.y) - Int128{a.y - origin.y} * (b.x - origin.x);
 }
@@ -184,6 +175,15 @@ std::optional<std::vector<VertexId>> chain_above(const TreeMesh& tree_mesh, Vert
   }
   if (chain.back() != to) return std::nullopt;
   return without_repeated(chain);
+}
+
+std::vector<VertexId> without_repeated(const std::vector<VertexId>& chain) {
+  std::vector<VertexId> result;
+  for (const VertexId v : chain) {
+    result.push_back(v);
+    while (result.size() > 2 && result[result.size() - 3] == v) result.resize(result.size() - 2);
+  }
+  return result;
 }
 
 bool runs_under(const TreeMesh& tree_mesh, const std::vector<VertexId>& chain) {

@@ -21,8 +21,8 @@ using Position = std::array<std::int64_t, 2>;
 // --------------------------------------------------------------------
 
 /// Mirrored in the diagonal first if `swapped`, then turned by quarter turns.
-QuadShape transformed(const QuadShape& shape, bool swapped, int turns) {
-  QuadShape result = shape;
+ConfigurationShape transformed(const ConfigurationShape& shape, bool swapped, int turns) {
+  ConfigurationShape result = shape;
   for (std::size_t i = 0; i < 4; ++i) {
     Position p = shape.at[i];
     Motion motion = shape.motion[i];
@@ -47,7 +47,7 @@ QuadShape transformed(const QuadShape& shape, bool swapped, int turns) {
   return result;
 }
 
-void move_to_origin_and_reduce(QuadShape& shape) {
+void move_to_origin_and_reduce(ConfigurationShape& shape) {
   for (const std::size_t axis : {std::size_t{0}, std::size_t{1}}) {
     std::int64_t low = shape.at[0][axis];
     for (const Position& p : shape.at) low = std::min(low, p[axis]);
@@ -59,8 +59,8 @@ void move_to_origin_and_reduce(QuadShape& shape) {
   for (Position& p : shape.at) p = {p[0] / divisor, p[1] / divisor};
 }
 
-QuadShape rotated_list(const QuadShape& shape, std::size_t first) {
-  QuadShape result;
+ConfigurationShape rotated_list(const ConfigurationShape& shape, std::size_t first) {
+  ConfigurationShape result;
   for (std::size_t i = 0; i < 4; ++i) {
     result.at[i] = shape.at[(first + i) % 4];
     result.motion[i] = shape.motion[(first + i) % 4];
@@ -137,7 +137,8 @@ struct MovingPoint {
 
 /// Where the vertices may be: a moved centre within half a cell side, i.e. 4 units of the quarter
 /// grid below, of where it stands; each moved vertex has a parameter of its own (two at the most).
-std::array<MovingPoint, 4> moving_points(const QuadShape& shape, const Rational& half_side) {
+std::array<MovingPoint, 4> moving_points(const ConfigurationShape& shape,
+                                         const Rational& half_side) {
   std::array<MovingPoint, 4> points;
   std::size_t parameters = 0;
   for (std::size_t i = 0; i < 4; ++i) {
@@ -153,7 +154,7 @@ std::array<MovingPoint, 4> moving_points(const QuadShape& shape, const Rational&
 }
 
 /// Around the point itself the aligned centres make a rectangle, whatever its position.
-bool is_rectangle_at_point(const QuadShape& shape) {
+bool is_rectangle_at_point(const ConfigurationShape& shape) {
   return std::find(shape.motion.begin(), shape.motion.end(), Motion::kPoint) != shape.motion.end();
 }
 
@@ -212,7 +213,7 @@ class ConfigurationList {
  public:
   void add(Construction construction, const std::string& name, const std::array<Position, 4>& at,
            const std::array<Motion, 4>& motion = {}) {
-    const QuadShape shape = canonical({at, motion});
+    const ConfigurationShape shape = canonical({at, motion});
     if (!seen_.insert({{construction, shape}, true}).second) return;
     Configuration configuration{construction, name, shape, false, {0, 1}, {0, 1}};
     // Half a side of a cell in the units of the canonical shape: moving shapes join cells of
@@ -223,7 +224,7 @@ class ConfigurationList {
   [[nodiscard]] std::vector<Configuration> take() { return std::move(list_); }
 
  private:
-  static Rational half_side(const std::array<Position, 4>& given, const QuadShape& shape) {
+  static Rational half_side(const std::array<Position, 4>& given, const ConfigurationShape& shape) {
     const auto width = [](const std::array<Position, 4>& at) {
       std::int64_t low_x = at[0][0], high_x = at[0][0], low_y = at[0][1], high_y = at[0][1];
       for (const Position& p : at) {
@@ -237,7 +238,7 @@ class ConfigurationList {
     return Rational(4 * width(shape.at), width(given));
   }
 
-  std::map<std::pair<Construction, QuadShape>, bool> seen_;
+  std::map<std::pair<Construction, ConfigurationShape>, bool> seen_;
   std::vector<Configuration> list_;
 };
 
@@ -357,8 +358,8 @@ void add_warped(ConfigurationList& list) {
 }
 
 /// Splits of the walk for the census: the shape of a quad of a mesh before it is warped.
-QuadShape shape_of(const Mesh& mesh, const Quad& quad, const std::vector<Motion>& motion) {
-  QuadShape shape;
+ConfigurationShape shape_of(const Mesh& mesh, const Quad& quad, const std::vector<Motion>& motion) {
+  ConfigurationShape shape;
   for (std::size_t i = 0; i < 4; ++i) {
     const LatticePoint p = mesh.vertices.lattice(quad[i]);
     shape.at[i] = {p.x, p.y};
@@ -374,14 +375,14 @@ bool Configuration::moves() const {
                      [](Motion m) { return m != Motion::kNone; });
 }
 
-QuadShape canonical(const QuadShape& shape) {
-  std::optional<QuadShape> best;
+ConfigurationShape canonical(const ConfigurationShape& shape) {
+  std::optional<ConfigurationShape> best;
   for (const bool swapped : {false, true}) {
     for (int turns = 0; turns < 4; ++turns) {
-      QuadShape turned_shape = transformed(shape, swapped, turns);
+      ConfigurationShape turned_shape = transformed(shape, swapped, turns);
       move_to_origin_and_reduce(turned_shape);
       for (std::size_t first = 0; first < 4; ++first) {
-        const QuadShape candidate = rotated_list(turned_shape, first);
+        const ConfigurationShape candidate = rotated_list(turned_shape, first);
         if (!best || candidate < *best) best = candidate;
       }
     }
@@ -405,9 +406,9 @@ ConfigurationCensus::ConfigurationCensus()
     index_.emplace(std::pair{configurations_[i].construction, configurations_[i].shape}, i);
 }
 
-void ConfigurationCensus::add(Construction construction, const QuadShape& shape) {
+void ConfigurationCensus::add(Construction construction, const ConfigurationShape& shape) {
   ++quads_;
-  const QuadShape key = canonical(shape);
+  const ConfigurationShape key = canonical(shape);
   const auto found = index_.find({construction, key});
   if (found != index_.end()) {
     ++counts_[found->second];

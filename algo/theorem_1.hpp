@@ -29,23 +29,23 @@ enum class Motion : std::uint8_t {
 
 /// A quad before it is warped, up to translation, rotation by quarter turns, reflection, dyadic
 /// scale and the choice of its first vertex; counter-clockwise.
-struct QuadShape {
+struct ConfigurationShape {
   std::array<std::array<std::int64_t, 2>, 4> at{};
   std::array<Motion, 4> motion{};
-  friend bool operator==(const QuadShape&, const QuadShape&) = default;
-  friend bool operator<(const QuadShape& a, const QuadShape& b) {
+  friend bool operator==(const ConfigurationShape&, const ConfigurationShape&) = default;
+  friend bool operator<(const ConfigurationShape& a, const ConfigurationShape& b) {
     return a.at != b.at ? a.at < b.at : a.motion < b.motion;
   }
 };
 
 /// The representative of a shape's class: all similar shapes give the same one.
 /// Requires: coordinate differences below 2^60.
-QuadShape canonical(const QuadShape& shape);
+ConfigurationShape canonical(const ConfigurationShape& shape);
 
 struct Configuration {
   Construction construction;
   std::string name;
-  QuadShape shape;      ///< canonical
+  ConfigurationShape shape;  ///< canonical
   bool proved = false;  ///< all corners within thm-1's interval, for all positions of the point
   Corner<Rational>
       smallest;  ///< for moving shapes: the worst of the positions tried, ends included
@@ -77,17 +77,19 @@ class ConfigurationCensus {
   [[nodiscard]] std::uint64_t quads() const { return quads_; }
   /// Quads whose shape is not on the list: would refute the list.
   [[nodiscard]] std::uint64_t unlisted() const { return unlisted_; }
-  [[nodiscard]] const std::optional<QuadShape>& first_unlisted() const { return first_unlisted_; }
+  [[nodiscard]] const std::optional<ConfigurationShape>& first_unlisted() const {
+    return first_unlisted_;
+  }
 
  private:
-  void add(Construction construction, const QuadShape& shape);
+  void add(Construction construction, const ConfigurationShape& shape);
 
   std::vector<Configuration> configurations_;
-  std::map<std::pair<Construction, QuadShape>, std::size_t> index_;
+  std::map<std::pair<Construction, ConfigurationShape>, std::size_t> index_;
   std::vector<std::uint64_t> counts_;
   std::uint64_t quads_ = 0;
   std::uint64_t unlisted_ = 0;
-  std::optional<QuadShape> first_unlisted_;
+  std::optional<ConfigurationShape> first_unlisted_;
 };
 
 /// A random balanced tree without points for the census: splits leaves picked by the engine's bits,

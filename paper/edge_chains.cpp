@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "algo/quadrangulation_chain.hpp"
+
 namespace quadbound {
 namespace {
 
@@ -144,15 +146,6 @@ void make_beta(const CutTree& tree, const CutLine& line, EdgeChains& chains) {
   std::sort(chains.beta.begin(), chains.beta.end(),
             [&](Cell a, Cell b) { return place(a) < place(b); });
   chains.beta.erase(std::unique(chains.beta.begin(), chains.beta.end()), chains.beta.end());
-}
-
-std::vector<VertexId> without_repeated(const std::vector<VertexId>& chain) {
-  std::vector<VertexId> result;
-  for (const VertexId v : chain) {
-    result.push_back(v);
-    while (result.size() > 2 && result[result.size() - 3] == v) result.resize(result.size() - 2);
-  }
-  return result;
 }
 
 }  // namespace

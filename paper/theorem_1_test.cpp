@@ -28,14 +28,14 @@ bool all_within(const At& at) {
   return true;
 }
 
-At positions(const QuadShape& shape) {
+At positions(const ConfigurationShape& shape) {
   At at;
   for (std::size_t i = 0; i < 4; ++i) at[i] = {shape.at[i][0], shape.at[i][1]};
   return at;
 }
 
 /// The moved vertices of a shape somewhere in their ranges; each with a shift of its own.
-At moved(const QuadShape& shape, const Rational& half_side, std::mt19937_64& engine) {
+At moved(const ConfigurationShape& shape, const Rational& half_side, std::mt19937_64& engine) {
   At at = positions(shape);
   for (std::size_t i = 0; i < 4; ++i) {
     constexpr std::int64_t kSteps = 64;
@@ -50,7 +50,7 @@ At moved(const QuadShape& shape, const Rational& half_side, std::mt19937_64& eng
   return at;
 }
 
-bool has_point(const QuadShape& shape) {
+bool has_point(const ConfigurationShape& shape) {
   for (const Motion m : shape.motion)
     if (m == Motion::kPoint) return true;
   return false;
@@ -58,7 +58,7 @@ bool has_point(const QuadShape& shape) {
 
 /// Half the side of the cells that a moving shape joins, all of one size: such shapes are a side
 /// wide, or a quarter more where an extra point sticks out, and all sides are powers of two.
-Rational half_side(const QuadShape& shape) {
+Rational half_side(const ConfigurationShape& shape) {
   std::int64_t width = 0;
   for (const auto& a : shape.at)
     for (const auto& b : shape.at) width = std::max({width, a[0] - b[0], a[1] - b[1]});
@@ -76,7 +76,7 @@ TEST(Theorem1, EveryConfigurationIsProved) {
 }
 
 TEST(Theorem1, NoConfigurationTwice) {
-  std::set<std::pair<Construction, QuadShape>> seen;
+  std::set<std::pair<Construction, ConfigurationShape>> seen;
   for (const Configuration& c : configurations()) {
     EXPECT_EQ(canonical(c.shape), c.shape) << c.name;
     EXPECT_TRUE(seen.emplace(c.construction, c.shape).second) << c.name;
@@ -135,7 +135,7 @@ TEST(Theorem1, AMutatedShapeIsNotProved) {
     if (extreme.find("arctan(1/2)") == std::string::npos) continue;
     for (std::size_t vertex = 0; vertex < 4; ++vertex)
       for (const auto& [dx, dy] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
-        QuadShape mutated = c.shape;
+        ConfigurationShape mutated = c.shape;
         for (auto& p : mutated.at) p = {p[0] * kUnit, p[1] * kUnit};
         mutated.at[vertex][0] += dx;
         mutated.at[vertex][1] += dy;
