@@ -114,13 +114,11 @@ void Judge::judge_mesh() {
   const CornersByVertex corners(mesh_.quads, mesh_.vertices.size(), threads_);
   look_at_input(corners);
   std::vector<std::uint8_t> passes;
-  survey_ = survey_quads(plane_, mesh_.quads, angles_, exempt_, threads_, passes);
-  report_.decisions = survey_.decisions;
+  survey(corners, passes);
   links_ = link_corners(corners, passes, threads_);
   loops_ = trace_loops(links_.unpaired);
   has_sound_boundary_ = look_at_boundary();
   count();
-  judge_stored_coordinates(corners);
   judge_distinct_vertices(corners);
   judge_conforming();
   judge_strictly_convex();
@@ -142,13 +140,21 @@ void Judge::count() {
   report_.edges = (links_.directed_edges + links_.unpaired.size()) / 2;
 }
 
-void Judge::judge_stored_coordinates(const CornersByVertex& corners) {
-  report_.every_vertex_is_a_double = !find_rounded(stored_plane_, corners, threads_);
-  if (report_.every_vertex_is_a_double) return;
-  infinite_vertex_ = find_infinite(stored_plane_, corners);
-  if (infinite_vertex_) return;
-  std::vector<std::uint8_t> passes;
-  stored_survey_ = survey_quads(stored_plane_, mesh_.quads, angles_, exempt_, threads_, passes);
+/// Of the mesh as it is and, where rounding moves vertices and none away to infinity, of the mesh
+/// that they make then.
+void Judge::survey(const CornersByVertex& corners, std::vector<std::uint8_t>& passes) {
+  const MovedVertices moved = find_moved(stored_plane_, corners, threads_);
+  report_.every_vertex_is_a_double = !moved.any;
+  infinite_vertex_ = moved.infinite;
+  if (moved.any && !moved.infinite) {
+    Surveys both = survey_both(plane_, stored_plane_, moved.is_moved, mesh_.quads, angles_, exempt_,
+                               threads_, passes);
+    survey_ = std::move(both.exact);
+    stored_survey_ = std::move(both.stored);
+  } else {
+    survey_ = survey_quads(plane_, mesh_.quads, angles_, exempt_, threads_, passes);
+  }
+  report_.decisions = survey_.decisions;
 }
 
 // --- tiling --------------------------------------------------------------------------------------

@@ -91,7 +91,7 @@ class Judge {
   [[nodiscard]] bool is_proved_tiling() const {
     return is_locally_sound() && !links_.winding && !links_.second_fan && has_sound_boundary_;
   }
-  void judge_stored_coordinates(const CornersByVertex& corners);
+  void survey(const CornersByVertex& corners, std::vector<std::uint8_t>& passes);
   void judge_distinct_vertices(const CornersByVertex& corners);
   void judge_conforming();
   void judge_strictly_convex();

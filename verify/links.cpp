@@ -59,14 +59,18 @@ class Linker {
   [[nodiscard]] bool is_closed(std::span<const CornerIndex> at) const {
     std::array<VertexId, kCount> next;
     std::array<VertexId, kCount> previous;
+#pragma GCC unroll 8
     for (std::size_t i = 0; i < kCount; ++i) {
       next[i] = corners_.next(at[i]);
       previous[i] = corners_.previous(at[i]);
     }
     bool closed = true;
+#pragma GCC unroll 8
     for (std::size_t i = 0; i < kCount; ++i) {
       bool paired = false;
+#pragma GCC unroll 8
       for (std::size_t j = 0; j < kCount; ++j) paired |= previous[j] == next[i];
+#pragma GCC unroll 8
       for (std::size_t j = 0; j < i; ++j) closed &= next[j] != next[i];
       closed &= paired;
     }

@@ -5,8 +5,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "verify/links.hpp"
+#include "verify/places.hpp"
 #include "verify/plane.hpp"
 #include "verify/survey.hpp"
 #include "verify/test_meshes.hpp"
@@ -274,6 +277,76 @@ TEST(Survey, RoundedCornersAreDecidedAsInRationals) {
     if (convex.low + convex.high > 0) continue;  // rounding flattened it
     expect_as_in_rationals(stored, made.mesh.quads, kTheorem1);
   }
+}
+
+/// Every third vertex is moved off the lattice, by less than the others notice.
+Mesh with_every_third_moved(const Mesh& mesh) {
+  Mesh moved = mesh;
+  moved.vertices = Vertices(mesh.vertices.exponent());
+  for (VertexId v = 0; v < mesh.vertices.size(); ++v) {
+    RationalPoint point = mesh.vertices.exact(v);
+    if (v % 3 == 0) point.x += kTiny / 3;
+    moved.vertices.add_exact(point);
+  }
+  return moved;
+}
+
+void expect_same(const BoundTally& a, const BoundTally& b) {
+  EXPECT_EQ(a.broken, b.broken);
+  ASSERT_EQ(a.extreme.has_value(), b.extreme.has_value());
+  if (!a.extreme) return;
+  EXPECT_EQ(a.extreme->id, b.extreme->id);
+  const Corner<Rational> corner = a.extreme->exact();
+  const Corner<Rational> other = b.extreme->exact();
+  EXPECT_EQ(corner.cross, other.cross);
+  EXPECT_EQ(corner.dot, other.dot);
+}
+
+void expect_same(const Survey& a, const Survey& b) {
+  expect_same(a.smallest, b.smallest);
+  expect_same(a.largest, b.largest);
+  EXPECT_EQ(a.not_convex, b.not_convex);
+  EXPECT_EQ(a.first_not_convex, b.first_not_convex);
+}
+
+/// Guarantees 1 and 2 of survey_both. Returns how many vertices rounding moves.
+std::ptrdiff_t expect_both_surveys(const Mesh& mesh, const AngleInterval& interval,
+                                   std::span<const CornerId> exempt) {
+  const ExactPlane exact(mesh.vertices, kOne);
+  const StoredPlane stored(mesh.vertices, exact);
+  const CornersByVertex corners(mesh.quads, mesh.vertices.size(), kOne);
+  const MovedVertices moved = find_moved(stored, corners, kOne);
+  std::vector<std::uint8_t> passes;
+  std::vector<std::uint8_t> expected_passes;
+  std::vector<std::uint8_t> unused;
+  const Surveys both =
+      survey_both(exact, stored, moved.is_moved, mesh.quads, interval, exempt, kOne, passes);
+  const Survey before = survey_quads(exact, mesh.quads, interval, exempt, kOne, expected_passes);
+  const Survey after = survey_quads(stored, mesh.quads, interval, exempt, kOne, unused);
+  expect_same(both.exact, before);
+  expect_same(both.stored, after);
+  EXPECT_EQ(both.exact.lattice_area.value(), before.lattice_area.value());
+  EXPECT_EQ(
+      both.exact.decisions.filter + both.exact.decisions.lattice + both.exact.decisions.rational,
+      4 * mesh.quads.size());
+  EXPECT_EQ(both.stored.smallest.beyond_slack, after.smallest.beyond_slack);
+  EXPECT_EQ(both.stored.largest.beyond_slack, after.largest.beyond_slack);
+  EXPECT_EQ(passes, expected_passes);
+  return std::count(moved.is_moved.begin(), moved.is_moved.end(), 1);
+}
+
+TEST(Survey, BothSurveysInOneGoAreThoseOfEitherPlane) {
+  const std::vector<CornerId> exempt{{0, 1}, {3, 2}, {7, 0}};
+  std::ptrdiff_t moved = 0;
+  for (const test::Case& made : close_cases()) {
+    SCOPED_TRACE(made.name);
+    for (const AngleInterval& interval :
+         {kTheorem1, kTheorem13, AngleInterval{{1, 1}, {1, 1}}, AngleInterval{{5, 1}, {5, 1}}}) {
+      moved += expect_both_surveys(made.mesh, interval, {});
+      moved += expect_both_surveys(with_every_third_moved(made.mesh), interval, exempt);
+    }
+  }
+  EXPECT_GT(moved, 0);
 }
 
 TEST(Survey, FilterDecidesNearlyAllCornersOffTheLattice) {

@@ -226,24 +226,30 @@ std::vector<PlacedVertex> find_placed_vertices(const ExactPlane& plane, int expo
   return all;
 }
 
-std::optional<VertexId> find_rounded(const StoredPlane& plane, const CornersByVertex& corners,
-                                     const Threads& threads) {
-  const auto parts = for_chunks<std::optional<VertexId>>(
-      threads, corners.vertices(),
-      [&](std::size_t begin, std::size_t end) -> std::optional<VertexId> {
-        for (auto v = static_cast<VertexId>(begin); v < end; ++v)
-          if (corners.is_used(v) && plane.changes(v)) return v;
-        return std::nullopt;
+MovedVertices find_moved(const StoredPlane& plane, const CornersByVertex& corners,
+                         const Threads& threads) {
+  MovedVertices moved;
+  moved.is_moved.resize(corners.vertices());
+  struct Part {
+    bool any = false;
+    std::optional<VertexId> infinite;
+  };
+  const auto parts =
+      for_chunks<Part>(threads, corners.vertices(), [&](std::size_t begin, std::size_t end) {
+        Part part;
+        for (auto v = static_cast<VertexId>(begin); v < end; ++v) {
+          if (!corners.is_used(v) || !plane.changes(v)) continue;
+          part.any = true;
+          moved.is_moved[v] = 1;
+          if (!part.infinite && !plane.is_finite(v)) part.infinite = v;
+        }
+        return part;
       });
-  for (const auto& part : parts)
-    if (part) return part;
-  return std::nullopt;
-}
-
-std::optional<VertexId> find_infinite(const StoredPlane& plane, const CornersByVertex& corners) {
-  for (VertexId v = 0; v < corners.vertices(); ++v)
-    if (corners.is_used(v) && !plane.is_finite(v)) return v;
-  return std::nullopt;
+  for (const Part& part : parts) {
+    moved.any = moved.any || part.any;
+    if (!moved.infinite) moved.infinite = part.infinite;
+  }
+  return moved;
 }
 
 }  // namespace quadbound::judge

@@ -2,6 +2,7 @@
 #pragma once
 // Who is where: vertices at one place, and input points that are no vertex.
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -45,11 +46,13 @@ std::vector<PlacedVertex> find_placed_vertices(const ExactPlane& plane, int expo
                                                const std::vector<Point>& points,
                                                const Threads& threads);
 
-/// The first used vertex whose position changes when it is rounded to doubles.
-std::optional<VertexId> find_rounded(const StoredPlane& plane, const CornersByVertex& corners,
-                                     const Threads& threads);
-
-/// The first used vertex whose rounded position is infinite.
-std::optional<VertexId> find_infinite(const StoredPlane& plane, const CornersByVertex& corners);
+/// Used vertices whose position changes when it is rounded to doubles.
+struct MovedVertices {
+  std::vector<std::uint8_t> is_moved;  ///< by vertex
+  bool any = false;
+  std::optional<VertexId> infinite;  ///< the first whose rounded position is infinite
+};
+MovedVertices find_moved(const StoredPlane& plane, const CornersByVertex& corners,
+                         const Threads& threads);
 
 }  // namespace quadbound::judge

@@ -58,12 +58,20 @@ std::uint8_t passes_of(const Edges& e) {
   return passes_of(lower);
 }
 
+/// Off by less than 2^11 and one unit of the last place, for two roundings. By halves, which the
+/// processor converts; 128 bits take a call. Requires: at most 2^126.
+double rounded(Int128 value) {
+  const auto high = static_cast<std::int64_t>(value >> 64);
+  const auto low = static_cast<std::int64_t>(static_cast<std::uint64_t>(value) >> 1);
+  return static_cast<double>(high) * 0x1p64 + static_cast<double>(low) * 2;
+}
+
 /// An edge between fixed points, in units of 2^-64, and its length in the 1-norm.
 struct Rounded {
   Rounded() = default;
   Rounded(const FixedPoint& from, const FixedPoint& to)
-      : x(static_cast<double>(to.x.value - from.x.value)),
-        y(static_cast<double>(to.y.value - from.y.value)),
+      : x(rounded(to.x.value - from.x.value)),
+        y(rounded(to.y.value - from.y.value)),
         length(std::abs(x) + std::abs(y)) {}
   double x;
   double y;
@@ -76,7 +84,7 @@ struct RoundedCorner {
       : cross(before.x * next.y - before.y * next.x),
         dot(-(before.x * next.x) - before.y * next.y),
         size(before.length * next.length),
-        is_long(before.length >= 0x1p61 && next.length >= 0x1p61) {}
+        is_long(before.length >= 0x1p70 && next.length >= 0x1p70) {}
   double cross;
   double dot;
   double size;
@@ -200,24 +208,26 @@ class Threshold {
 template <class Plane>
 class Surveyor {
  public:
+  /// `measures_rounding`: what lies beyond a bound is compared with what rounding explains.
   Surveyor(const Plane& plane, const std::vector<Quad>& quads, const AngleInterval& interval,
-           std::span<const CornerId> exempt)
-      : plane_(plane), quads_(quads), interval_(interval), exempt_(exempt) {
+           std::span<const CornerId> exempt, bool measures_rounding)
+      : plane_(plane),
+        quads_(quads),
+        interval_(interval),
+        exempt_(exempt),
+        measures_rounding_(measures_rounding) {
     update_filter();
   }
 
-  Survey survey(std::size_t begin, std::size_t end, std::vector<std::uint8_t>& passes) {
-    for (std::size_t q = begin; q < end; ++q) {
-      const Quad& quad = quads_[q];
-      if (plane_.on_lattice(quad[0]) && plane_.on_lattice(quad[1]) && plane_.on_lattice(quad[2]) &&
-          plane_.on_lattice(quad[3])) {
-        passes[q] = lattice_quad(q, quad);
-      } else {
-        passes[q] = off_lattice_quad(q, quad);
-      }
-    }
-    return std::move(survey_);
+  /// Returns the passes of the quad.
+  std::uint8_t look_at(std::size_t q) {
+    const Quad& quad = quads_[q];
+    if (plane_.on_lattice(quad[0]) && plane_.on_lattice(quad[1]) && plane_.on_lattice(quad[2]) &&
+        plane_.on_lattice(quad[3]))
+      return lattice_quad(q, quad);
+    return off_lattice_quad(q, quad);
   }
+  [[nodiscard]] Survey take_survey() { return std::move(survey_); }
 
   /// Only these corners, and of the result only the bounds. Requires: exempt is empty.
   Survey survey(std::span<const CornerId> corners) {
@@ -229,7 +239,7 @@ class Surveyor {
   }
 
  private:
-  static constexpr bool kMeasuresRounding = std::is_same_v<Plane, StoredPlane>;
+  static constexpr bool kIsExact = std::is_same_v<Plane, ExactPlane>;
   using Doubles = std::array<double, 4>;
   using FixedQuad = std::array<FixedPoint, 4>;
   using Around = std::array<VertexId, 3>;  ///< the vertices before, at and after a corner
@@ -237,7 +247,7 @@ class Surveyor {
   std::uint8_t lattice_quad(std::size_t q, const Quad& quad) {
     const Edges edges = edges_of(std::array{plane_.lattice(quad[0]), plane_.lattice(quad[1]),
                                             plane_.lattice(quad[2]), plane_.lattice(quad[3])});
-    if constexpr (!kMeasuresRounding) survey_.lattice_area.add(doubled_area(edges));
+    if constexpr (kIsExact) survey_.lattice_area.add(doubled_area(edges));
     Doubles x;
     Doubles y;
     Doubles length;
@@ -266,7 +276,7 @@ class Surveyor {
   }
 
   std::uint8_t off_lattice_quad(std::size_t q, const Quad& quad) {
-    if constexpr (!kMeasuresRounding) add_lattice_edges(quad);
+    if constexpr (kIsExact) add_lattice_edges(quad);
     FixedQuad p;
     for (std::size_t i = 0; i < 4; ++i) {
       const std::optional<FixedPoint> point = plane_.fixed(quad[i]);
@@ -289,13 +299,13 @@ class Surveyor {
     return passes_of(lower);
   }
 
-  /// As is_uninteresting of two differences that were rounded once.
+  /// As is_uninteresting of two differences.
   ///
-  /// A difference of fixed points is off by less than 1, and then rounded. Where the edge is at
-  /// least 2^61 long (an eighth of a unit of the lattice), the former is at most 2^-60 of its
-  /// length in both coordinates together, a 128th of what the latter may be. So the errors of cross
-  /// and dot stay below (4 + 1/32) * 2^-53 * size where is_uninteresting reckons with 4 and leaves
-  /// a factor of two.
+  /// A difference of fixed points is off by less than 1, and then by what rounded() says. Where the
+  /// edge is at least 2^70 long (64 units of the lattice), the part that is no rounding is at most
+  /// 2^-58 of its length in both coordinates together. With two roundings of each difference, one
+  /// of a product and one of the sum, the errors of cross and dot stay below (6 + 1/16) * 2^-53 *
+  /// size, as is_uninteresting wants it.
   [[nodiscard]] bool is_uninteresting(const RoundedCorner& c) const {
     return c.is_long && is_uninteresting(c.cross, c.dot, c.size);
   }
@@ -382,11 +392,12 @@ class Surveyor {
 
   /// Whether the corner is certainly convex, within the bounds, and no new extreme.
   ///
-  /// `size` is the product of the edges' lengths in the 1-norm. Differences are rounded once, so
-  /// that cross and dot are each off by at most 4 * 2^-53 * size (and terms of 2^-106), the
-  /// cotangents of the extremes by 4 units of the last place, and the products and differences
-  /// below by one more rounding each: less than 16 * 2^-53 * size * (1 + |cotangent|) together.
-  /// 2^-48 leaves a factor of two.
+  /// `size` is the product of the edges' lengths in the 1-norm. Requires: cross and dot are each
+  /// off by less than 6.5 * 2^-53 * size. On the lattice differences are rounded once, which makes
+  /// it at most 4 (and terms of 2^-106). The cotangents of the extremes are off by 4 units of the
+  /// last place, and the products and differences below by one more rounding each: less than 16 *
+  /// 2^-53
+  /// * size * (1 + |cotangent|) together. 2^-48 leaves a factor of two.
   [[nodiscard]] bool is_uninteresting(double cross, double dot, double size) const {
     const double error = 0x1p-48 * size;
     return cross > error && low_ * cross - dot > low_error_ * error &&
@@ -462,21 +473,19 @@ class Surveyor {
 
   template <class Number>
   void check_slack(CornerId id, const Corner<Number>& corner, Arctangent bound, BoundTally& tally) {
-    if constexpr (kMeasuresRounding) {
-      if (tally.beyond_slack) return;
-      const auto [rise, run] = excess_tangent(corner, bound);
-      const Quad& quad = quads_[id.quad];
-      if constexpr (std::is_same_v<Number, Int128>) {
-        const int known = filter_slack(rise, run, quad, static_cast<std::size_t>(id.corner));
-        if (known > 0) return;
-        if (known < 0) {
-          tally.beyond_slack = id;
-          return;
-        }
-      }
-      if (!within_slack(to_rational(rise), to_rational(run), corner_scale(plane_, quad, id.corner)))
+    if (!measures_rounding_ || tally.beyond_slack) return;
+    const auto [rise, run] = excess_tangent(corner, bound);
+    const Quad& quad = quads_[id.quad];
+    if constexpr (std::is_same_v<Number, Int128>) {
+      const int known = filter_slack(rise, run, quad, static_cast<std::size_t>(id.corner));
+      if (known > 0) return;
+      if (known < 0) {
         tally.beyond_slack = id;
+        return;
+      }
     }
+    if (!within_slack(to_rational(rise), to_rational(run), corner_scale(plane_, quad, id.corner)))
+      tally.beyond_slack = id;
   }
 
   [[nodiscard]] int filter_slack(Int128 rise, Int128 run, const Quad& quad, std::size_t i) const {
@@ -499,6 +508,7 @@ class Surveyor {
   const std::vector<Quad>& quads_;
   AngleInterval interval_;
   std::span<const CornerId> exempt_;
+  bool measures_rounding_;
   Survey survey_;
   Threshold low_exact_;
   Threshold high_exact_;
@@ -509,21 +519,28 @@ class Surveyor {
   double high_error_ = 0;
 };
 
-template <class Better>
-void merge(BoundTally& into, BoundTally& from, const Better& better) {
-  into.broken += from.broken;
-  if (!into.beyond_slack) into.beyond_slack = from.beyond_slack;
-  if (from.extreme && (!into.extreme || better(*from.extreme, *into.extreme)))
-    into.extreme = std::move(from.extreme);
+void keep_first(std::optional<CornerId>& into, const std::optional<CornerId>& from) {
+  if (from && (!into || *from < *into)) into = from;
 }
 
-void merge(Survey& into, Survey& from) {
+template <class Smaller>
+void merge(BoundTally& into, const BoundTally& from, const Smaller& comes_before) {
+  into.broken += from.broken;
+  keep_first(into.beyond_slack, from.beyond_slack);
+  if (!from.extreme) return;
+  if (!into.extreme || comes_before(*from.extreme, *into.extreme) ||
+      (from.extreme->id < into.extreme->id && !comes_before(*into.extreme, *from.extreme)))
+    into.extreme = from.extreme;
+}
+
+/// In any order of the parts.
+void merge(Survey& into, const Survey& from) {
   merge(into.smallest, from.smallest,
         [](const ExtremeCorner& a, const ExtremeCorner& b) { return is_smaller(a, b); });
   merge(into.largest, from.largest,
         [](const ExtremeCorner& a, const ExtremeCorner& b) { return is_smaller(b, a); });
   into.not_convex += from.not_convex;
-  if (!into.first_not_convex) into.first_not_convex = from.first_not_convex;
+  keep_first(into.first_not_convex, from.first_not_convex);
   into.lattice_area.add(from.lattice_area);
   into.decisions.filter += from.decisions.filter;
   into.decisions.lattice += from.decisions.lattice;
@@ -554,7 +571,7 @@ CornerScale corner_scale(const Plane& plane, const Quad& quad, int corner) {
 
 Survey survey_corners(const ExactPlane& plane, const std::vector<Quad>& quads,
                       const AngleInterval& interval, std::span<const CornerId> corners) {
-  return Surveyor<ExactPlane>(plane, quads, interval, {}).survey(corners);
+  return Surveyor<ExactPlane>(plane, quads, interval, {}, false).survey(corners);
 }
 
 template <class Plane>
@@ -562,11 +579,46 @@ Survey survey_quads(const Plane& plane, const std::vector<Quad>& quads,
                     const AngleInterval& interval, std::span<const CornerId> exempt,
                     const Threads& threads, std::vector<std::uint8_t>& passes) {
   passes.resize(quads.size());
-  auto parts = for_chunks<Survey>(threads, quads.size(), [&](std::size_t begin, std::size_t end) {
-    return Surveyor<Plane>(plane, quads, interval, exempt).survey(begin, end, passes);
-  });
+  const auto parts =
+      for_chunks<Survey>(threads, quads.size(), [&](std::size_t begin, std::size_t end) {
+        constexpr bool kMeasuresRounding = std::is_same_v<Plane, StoredPlane>;
+        Surveyor<Plane> surveyor(plane, quads, interval, exempt, kMeasuresRounding);
+        for (std::size_t q = begin; q < end; ++q) passes[q] = surveyor.look_at(q);
+        return surveyor.take_survey();
+      });
   Survey total;
-  for (Survey& part : parts) merge(total, part);
+  for (const Survey& part : parts) merge(total, part);
+  return total;
+}
+
+Surveys survey_both(const ExactPlane& plane, const StoredPlane& stored,
+                    const std::vector<std::uint8_t>& is_moved, const std::vector<Quad>& quads,
+                    const AngleInterval& interval, std::span<const CornerId> exempt,
+                    const Threads& threads, std::vector<std::uint8_t>& passes) {
+  passes.resize(quads.size());
+  const auto survey_chunk = [&](std::size_t begin, std::size_t end) {
+    Surveyor<ExactPlane> unmoved(plane, quads, interval, exempt, true);
+    Surveyor<ExactPlane> before(plane, quads, interval, exempt, false);
+    Surveyor<StoredPlane> after(stored, quads, interval, exempt, true);
+    for (std::size_t q = begin; q < end; ++q) {
+      const auto& [a, b, c, d] = quads[q];
+      if ((is_moved[a] | is_moved[b] | is_moved[c] | is_moved[d]) == 0) {
+        passes[q] = unmoved.look_at(q);
+      } else {
+        passes[q] = before.look_at(q);
+        after.look_at(q);
+      }
+    }
+    Surveys part{unmoved.take_survey(), after.take_survey()};
+    merge(part.stored, part.exact);
+    merge(part.exact, before.take_survey());
+    return part;
+  };
+  Surveys total;
+  for (const Surveys& part : for_chunks<Surveys>(threads, quads.size(), survey_chunk)) {
+    merge(total.exact, part.exact);
+    merge(total.stored, part.stored);
+  }
   return total;
 }
 

@@ -66,7 +66,8 @@ struct Survey {
   std::uint64_t not_convex = 0;
   std::optional<CornerId> first_not_convex;
   /// The sum of from x to over the quads' edges from -> to with both ends on the lattice: twice the
-  /// signed areas of the quads, less the share of their other edges. Of the exact plane only.
+  /// signed areas of the quads, less the share of their other edges. Of the exact plane only: in
+  /// surveys of the stored one it means nothing.
   WideSum lattice_area;
   Report::Decisions decisions;
 };
@@ -97,6 +98,23 @@ CornerScale corner_scale(const Plane& plane, const Quad& quad, int corner);
 /// exempt corners ascend.
 template <class Plane>
 Survey survey_quads(const Plane& plane, const std::vector<Quad>& quads,
+                    const AngleInterval& interval, std::span<const CornerId> exempt,
+                    const Threads& threads, std::vector<std::uint8_t>& passes);
+
+/// Of the mesh as it is, and of the mesh that its rounded vertices make.
+struct Surveys {
+  Survey exact;
+  Survey stored;
+};
+
+/// Both surveys in one go: quads with no vertex that rounding moves are the same in both planes,
+/// and looked at once. `is_moved` by vertex: StoredPlane::changes of those that are used.
+///
+/// Guarantees: 1. exact and stored are what survey_quads says of the two planes, but for their
+/// decisions, which only exact counts all of, and for beyond_slack, which means nothing in exact.
+/// 2. passes are those of the exact plane. Requires: as survey_quads.
+Surveys survey_both(const ExactPlane& plane, const StoredPlane& stored,
+                    const std::vector<std::uint8_t>& is_moved, const std::vector<Quad>& quads,
                     const AngleInterval& interval, std::span<const CornerId> exempt,
                     const Threads& threads, std::vector<std::uint8_t>& passes);
 
