@@ -12,13 +12,23 @@ CutQuads::CutQuads(const Domain& domain, const TreeMesh& tree_mesh, const EdgeCe
       tree_mesh_(tree_mesh),
       is_cut_(tree_mesh.mesh().quads.size()),
       where_(tree_mesh.mesh().vertices.size(), Where::kUnknown) {
-  tree_mesh.for_vertices([&](Cell leaf, VertexId v) { where_[v] = edge_cells.where(leaf); });
+  mark_leaves(edge_cells);
   look_at_met_leaves(edge_cells);
   for (EdgeId site = 0; site < domain_.size(); ++site)
     if (tree_mesh_.vertex_of(site) != kNoVertex)
       where_[tree_mesh_.vertex_of(site)] = Where::kBoundary;
   sort_cuts();
   collect_above();
+}
+
+/// Those of leaves that are met are left as they come: look_at_met_leaves knows better.
+void CutQuads::mark_leaves(const EdgeCells& edge_cells) {
+  tree_mesh_.for_centres(
+      [&](Cell leaf, VertexId centre) { where_[centre] = edge_cells.where(leaf); });
+  // The extra points of a leaf follow its centre.
+  for (VertexId v = 1; v < tree_mesh_.vertices_of_leaves(); ++v)
+    if (where_[v] == Where::kUnknown) where_[v] = where_[v - 1];
+  for (const auto& [centre, v] : tree_mesh_.halves_extras()) where_[v] = where_[centre];
 }
 
 void CutQuads::look_at_met_leaves(const EdgeCells& edge_cells) {
@@ -42,7 +52,9 @@ void CutQuads::judge_quads_at(std::span<const VertexId> vertices, std::span<cons
       for (const QuadId quad : tree_mesh_.quads_at(v)) {
         if (last_edges[quad] == edge) continue;
         last_edges[quad] = edge;
-        judge(quad, edge);
+        if (!find_passage({quad, edge})) continue;
+        is_cut_[quad] = true;
+        cuts_.push_back({quad, edge});
       }
     }
   }
@@ -50,15 +62,16 @@ void CutQuads::judge_quads_at(std::span<const VertexId> vertices, std::span<cons
 
 /// A pair that was judged at more than one leaf may be there twice.
 void CutQuads::sort_cuts() {
-  const auto place = [](const Cut& cut) { return std::pair{cut.quad, cut.edge}; };
+  const auto key = [](const Cut& cut) { return std::uint64_t{cut.quad} << 32 | cut.edge; };
   std::sort(cuts_.begin(), cuts_.end(),
-            [&](const Cut& a, const Cut& b) { return place(a) < place(b); });
-  const auto same = [&](const Cut& a, const Cut& b) { return place(a) == place(b); };
+            [&](const Cut& a, const Cut& b) { return key(a) < key(b); });
+  const auto same = [&](const Cut& a, const Cut& b) { return key(a) == key(b); };
   cuts_.erase(std::unique(cuts_.begin(), cuts_.end(), same), cuts_.end());
 }
 
-void CutQuads::judge(QuadId quad, EdgeId edge) {
-  const Quad& q = tree_mesh_.mesh().quads[quad];
+std::optional<Passage> CutQuads::find_passage(const Cut& cut) const {
+  const EdgeId edge = cut.edge;
+  const Quad& q = tree_mesh_.mesh().quads[cut.quad];
   const FinePoint& start = domain_.at(edge);
   const Vector d = domain_.direction(edge);
   std::array<bool, 4> above{};
@@ -78,7 +91,7 @@ void CutQuads::judge(QuadId quad, EdgeId edge) {
       above[k] = h[k] > 0;
     }
   }
-  if (above[0] == above[1] && above[1] == above[2] && above[2] == above[3]) return;
+  if (above[0] == above[1] && above[1] == above[2] && above[2] == above[3]) return std::nullopt;
   const double square = dot(d, d);
   std::array<double, 4> t{};
   for (unsigned k = 0; k < 4; ++k) t[k] = dot(d, arm[k]);
@@ -95,9 +108,8 @@ void CutQuads::judge(QuadId quad, EdgeId edge) {
   }
   const auto [from, to] = std::minmax(ends[0], ends[1]);
   const bool touches = from == to && 0 < from && from < square;
-  if (!touches && !(from < to && 0 < to && from < square)) return;
-  is_cut_[quad] = true;
-  cuts_.push_back({quad, edge, from / square, to / square});
+  if (!touches && !(from < to && 0 < to && from < square)) return std::nullopt;
+  return Passage{from / square, to / square};
 }
 
 void CutQuads::forget_cuts() {
@@ -112,7 +124,11 @@ void CutQuads::collect_above() {
       if (domain_.side(cut.edge, tree_mesh_.at(v)) > 0) above_.push_back({v, cut.edge});
     }
   }
-  std::sort(above_.begin(), above_.end());
+  const auto key = [](const Above& above) {
+    return std::uint64_t{above.vertex} << 32 | above.edge;
+  };
+  std::sort(above_.begin(), above_.end(),
+            [&](const Above& a, const Above& b) { return key(a) < key(b); });
   above_.erase(std::unique(above_.begin(), above_.end()), above_.end());
 }
 

@@ -3,6 +3,7 @@
 // Section 3.1: which quads of Q the edges of the domain cut, and which vertices lie inside.
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -12,11 +13,14 @@
 
 namespace quadbound {
 
-/// Edge `edge` runs through the inside of a quad, or touches it in one vertex, between the
-/// parameters `from` <= `to` of its line (0 at its start, 1 at its end).
+/// Edge `edge` runs through the inside of a quad, or touches it in one vertex.
 struct Cut {
   QuadId quad;
   EdgeId edge;
+};
+
+/// Where it does: between the parameters `from` <= `to` of its line (0 at its start, 1 at its end).
+struct Passage {
   double from;
   double to;
 };
@@ -38,6 +42,9 @@ class CutQuads {
   CutQuads(const Domain& domain, const TreeMesh& tree_mesh, const EdgeCells& edge_cells);
 
   [[nodiscard]] const std::vector<Cut>& cuts() const { return cuts_; }
+  /// Requires: one of cuts(), and the vertices where they were. Not kept: few cuts are asked for
+  /// it.
+  [[nodiscard]] Passage passage(const Cut& cut) const { return *find_passage(cut); }
   /// Gives back the memory of cuts and is_cut, which must not be asked any more.
   void forget_cuts();
   [[nodiscard]] bool is_cut(QuadId quad) const { return is_cut_[quad]; }
@@ -47,10 +54,11 @@ class CutQuads {
   [[nodiscard]] const std::vector<Above>& all_above() const { return above_; }
 
  private:
+  void mark_leaves(const EdgeCells& edge_cells);
   void look_at_met_leaves(const EdgeCells& edge_cells);
   void judge_quads_at(std::span<const VertexId> vertices, std::span<const EdgeId> edges,
                       std::vector<EdgeId>& last_edges);
-  void judge(QuadId quad, EdgeId edge);
+  [[nodiscard]] std::optional<Passage> find_passage(const Cut& cut) const;
   void sort_cuts();
   void collect_above();
 

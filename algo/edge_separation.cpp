@@ -63,7 +63,8 @@ class FaultFinder {
     return on_left(a.edge, b) && on_left(b.edge, a);
   }
   [[nodiscard]] bool on_left(EdgeId edge, const Cut& of) const {
-    const double middle = (std::max(0.0, of.from) + std::min(1.0, of.to)) / 2;
+    const auto [begin, end] = cut_quads_.passage(of);
+    const double middle = (std::max(0.0, begin) + std::min(1.0, end)) / 2;
     const Vector from_start = domain_.at(of.edge) - domain_.at(edge);
     return cross(domain_.direction(edge), from_start + middle * domain_.direction(of.edge)) > 0;
   }

@@ -416,8 +416,9 @@ TEST(CutQuads, AgainstAllPairsOfQuadsAndEdges) {
       found.emplace_back(cut.quad, cut.edge);
       const auto part = part_within(stage, mesh.quads[cut.quad], cut.edge);
       ASSERT_TRUE(part) << polygon.file;
-      EXPECT_NEAR(cut.from, nearest_double(part->first), 1e-9);
-      EXPECT_NEAR(cut.to, nearest_double(part->second), 1e-9);
+      const auto [from, to] = cut_quads.passage(cut);
+      EXPECT_NEAR(from, nearest_double(part->first), 1e-9);
+      EXPECT_NEAR(to, nearest_double(part->second), 1e-9);
     }
     EXPECT_EQ(found, expected) << polygon.file;
     EXPECT_TRUE(std::ranges::equal(cut_quads.all_above(), above)) << polygon.file;

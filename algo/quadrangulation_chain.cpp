@@ -147,12 +147,13 @@ std::optional<std::vector<VertexId>> QuadrangulationChain::part(VertexId from, V
 }
 
 std::vector<std::vector<Cut>> cuts_by_edge(const Domain& domain, const CutQuads& cut_quads) {
+  std::vector<std::pair<Passage, Cut>> cuts;
+  for (const Cut& cut : cut_quads.cuts()) cuts.emplace_back(cut_quads.passage(cut), cut);
+  std::stable_sort(cuts.begin(), cuts.end(), [](const auto& a, const auto& b) {
+    return std::pair{a.first.from, a.first.to} < std::pair{b.first.from, b.first.to};
+  });
   std::vector<std::vector<Cut>> by_edge(domain.size());
-  for (const Cut& cut : cut_quads.cuts()) by_edge[cut.edge].push_back(cut);
-  for (std::vector<Cut>& cuts : by_edge)
-    std::stable_sort(cuts.begin(), cuts.end(), [](const Cut& a, const Cut& b) {
-      return std::pair{a.from, a.to} < std::pair{b.from, b.to};
-    });
+  for (const auto& [passage, cut] : cuts) by_edge[cut.edge].push_back(cut);
   return by_edge;
 }
 

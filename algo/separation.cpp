@@ -142,7 +142,7 @@ void Separation::follow_changes() {
   for (std::size_t i = 0; i < changed_.size(); ++i) {
     const Cell parent = changed_[i];
     suspect_neighbours(parent);
-    if (wants_grids_) suspect_grids(parent);
+    if (may_be_in_grid(parent)) suspect_grids(parent);
     const BlockId block = tree_.content(parent);
     for (const Quadrant q : kQuadrants) {
       if (!tree_.has_point({block, q})) continue;
@@ -191,25 +191,42 @@ void Separation::suspect_grids(Cell cell) {
 
 /// Makes the 24 cells around a cell exist; whether all are inside the root, whole and empty.
 bool Separation::make_five_by_five(Cell cell) {
-  bool whole = true;
-  for (int dx = -2; dx <= 2; ++dx) {
-    for (int dy = -2; dy <= 2; ++dy) {
-      if (dx == 0 && dy == 0) continue;
-      const auto there = walk(cell, dx, dy);
-      whole = whole && there && tree_.is_leaf(*there) && !tree_.has_point(*there);
+  bool whole = make_row(cell, kNorth);
+  whole = make_row(cell, kSouth) && whole;
+  for (const Direction direction : {kEast, kWest}) {
+    std::optional<Cell> middle = cell;
+    for (int dx = 1; dx <= 2; ++dx) {
+      middle = make_and_follow(*middle, direction);
+      whole = middle && is_empty_in_grid(*middle) && whole;
+      if (!middle) break;
+      whole = make_row(*middle, kNorth) && whole;
+      whole = make_row(*middle, kSouth) && whole;
     }
   }
   return whole;
 }
 
-std::optional<Cell> Separation::walk(Cell cell, int dx, int dy) {
-  std::optional<Cell> at = cell;
-  for (int i = 0; i < std::abs(dx) && at; ++i) at = make_and_follow(*at, dx > 0 ? kEast : kWest);
-  for (int i = 0; i < std::abs(dy) && at; ++i) at = make_and_follow(*at, dy > 0 ? kNorth : kSouth);
-  return at;
+/// Two more cells beyond one of the middle row; likewise.
+bool Separation::make_row(Cell middle, Direction direction) {
+  bool whole = true;
+  std::optional<Cell> there = middle;
+  for (int dy = 1; dy <= 2; ++dy) {
+    there = make_and_follow(*there, direction);
+    if (!there) return false;
+    whole = is_empty_in_grid(*there) && whole;
+  }
+  return whole;
+}
+
+/// Whether a cell is a leaf without points; it is known to be in a grid from now on.
+bool Separation::is_empty_in_grid(Cell cell) {
+  if (in_grid_.size() <= cell.block) in_grid_.resize(tree_.blocks().size());
+  in_grid_[cell.block] |= std::uint8_t{1} << cell.quadrant;
+  return tree_.content(cell) == Quadtree::kEmptyLeaf;
 }
 
 std::optional<Cell> Separation::make_and_follow(Cell cell, Direction direction) {
+  if (const auto there = tree_.neighbour(cell, direction)) return there;
   changed_.clear();
   const auto there = tree_.make_neighbour(cell, direction, changed_);
   follow_changes();

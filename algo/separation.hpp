@@ -44,7 +44,11 @@ class Separation {
   void suspect_grids(Cell cell);
   void make_grids();
   bool make_five_by_five(Cell cell);
-  std::optional<Cell> walk(Cell cell, int dx, int dy);
+  bool make_row(Cell middle, Direction direction);
+  bool is_empty_in_grid(Cell cell);
+  [[nodiscard]] bool may_be_in_grid(Cell cell) const {
+    return cell.block < in_grid_.size() && (unsigned{in_grid_[cell.block]} >> cell.quadrant & 1U);
+  }
   std::optional<Cell> make_and_follow(Cell cell, Direction direction);
 
   std::vector<std::uint32_t> order_;  ///< the points along the Z curve
@@ -54,7 +58,8 @@ class Separation {
   std::vector<Cell> suspects_;  ///< cells that may be crowded
   std::vector<Cell> changed_;   ///< split by the last request
   bool wants_grids_ = false;
-  std::vector<Cell> grids_;  ///< cells of points whose 5x5 grid is to be made
+  std::vector<Cell> grids_;            ///< cells of points whose 5x5 grid is to be made
+  std::vector<std::uint8_t> in_grid_;  ///< by node: the children found in such grids, as bits
 };
 
 }  // namespace quadbound

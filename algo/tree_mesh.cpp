@@ -27,8 +27,9 @@ TreeMesh::TreeMesh(const Domain& domain, const Separation& separation, const Edg
   leave_out_outside(edge_cells);
   mesh_ = quadrangulate(template_tree_, tree_.root(), TwoTwoVariant::kExact, counters);
   const auto count = static_cast<VertexId>(mesh_.vertices.size());
+  LeafFinder leaves(tree_);  // their order is depth first
   for (VertexId v = template_tree_.vertices_of_leaves(); v < count; ++v)
-    halves_extras_.emplace_back(centre(leaf_of(v)), v);
+    halves_extras_.emplace_back(centre(leaves.leaf_at(at(v))), v);
   std::sort(halves_extras_.begin(), halves_extras_.end());
   place_sites(domain);
   link_quads();

@@ -67,20 +67,24 @@ class TreeMesh {
   /// within a quarter of its side outside.
   void append_vertices_of(Cell leaf, std::vector<VertexId>& vertices) const;
 
-  /// Calls visit(leaf, vertex) for all of these pairs.
+  /// Calls visit(leaf, its centre) for all leaves that it has.
   template <class Visit>
-  void for_vertices(const Visit& visit) const {
+  void for_centres(const Visit& visit) const {
     for (BlockId block = 0; block < tree_.blocks().size(); ++block) {
       if (!window_.has(block)) continue;
       const NodeId node = template_tree_.node_of(block);
-      for (const Quadrant q : kQuadrants) {
-        if (!tree_.is_leaf({block, q}) || template_tree_.is_left_out(node, q)) continue;
-        const VertexId first = template_tree_.centre(node, q);
-        const VertexId end = first + vertices_of_leaf(node, q);
-        for (VertexId v = first; v < end; ++v) visit(Cell{block, q}, v);
-      }
+      for (const Quadrant q : kQuadrants)
+        if (tree_.is_leaf({block, q}) && !template_tree_.is_left_out(node, q))
+          visit(Cell{block, q}, template_tree_.centre(node, q));
     }
-    for (const auto& [centre, v] : halves_extras_) visit(leaf_of(v), v);
+  }
+  /// The vertices of the leaves, less halves_extras: those of a leaf follow its centre, up to the
+  /// next centre or this number.
+  [[nodiscard]] VertexId vertices_of_leaves() const { return template_tree_.vertices_of_leaves(); }
+  /// Extra points of the case 2,2, which are numbered after all others, with the centre of their
+  /// leaf before them; ascending.
+  [[nodiscard]] const std::vector<std::pair<VertexId, VertexId>>& halves_extras() const {
+    return halves_extras_;
   }
 
   /// The leaf and the mesh vertex of a vertex of the domain.
@@ -125,7 +129,6 @@ class TreeMesh {
   std::vector<std::pair<VertexId, EdgeId>> other_grids_;  ///< further ones, sorted
   std::vector<std::uint32_t> first_quad_;
   std::vector<QuadId> quads_at_;
-  /// Extra points of the case 2,2, which are numbered after all others: centre of the leaf, extra.
   std::vector<std::pair<VertexId, VertexId>> halves_extras_;
 };
 
