@@ -221,7 +221,8 @@ bool Separation::make_row(Cell middle, Direction direction) {
 /// Whether a cell is a leaf without points; it is known to be in a grid from now on.
 bool Separation::is_empty_in_grid(Cell cell) {
   if (in_grid_.size() <= cell.block) in_grid_.resize(tree_.blocks().size());
-  in_grid_[cell.block] |= std::uint8_t{1} << cell.quadrant;
+  std::uint8_t& children = in_grid_[cell.block];
+  children = static_cast<std::uint8_t>(children | 1U << cell.quadrant);
   return tree_.content(cell) == Quadtree::kEmptyLeaf;
 }
 
