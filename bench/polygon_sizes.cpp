@@ -32,8 +32,7 @@
 namespace quadbound {
 namespace {
 
-// --- one polygon
-// ----------------------------------------------------------------------------------------
+// --- one polygon ---------------------------------------------------------------------------------
 
 struct Size {
   double vertices = 0;
@@ -85,8 +84,7 @@ std::variant<Size, Refusal> size_of(const Polygon& polygon, std::uint64_t max_ce
   return result;
 }
 
-// --- many
-// -----------------------------------------------------------------------------------------------
+// --- many ----------------------------------------------------------------------------------------
 
 struct Spread {
   double sum = 0;
@@ -199,8 +197,7 @@ void print_row(const std::string& row) {
   std::fflush(stdout);
 }
 
-// --- families
-// ---------------------------------------------------------------------------------------------
+// --- families ------------------------------------------------------------------------------------
 
 /// Beyond, one seed is enough: the sizes hardly differ.
 constexpr std::uint64_t kMostForSeeds = 1000;
@@ -285,8 +282,7 @@ class FamilyExperiment {
   std::vector<std::pair<std::string_view, PowerLaw>> laws_;
 };
 
-// --- files
-// ------------------------------------------------------------------------------------------------
+// --- files ---------------------------------------------------------------------------------------
 
 class FileExperiment {
  public:
@@ -340,8 +336,7 @@ class FileExperiment {
   PowerLaw law_;
 };
 
-// --- the program
-// ------------------------------------------------------------------------------------------
+// --- the program ---------------------------------------------------------------------------------
 
 constexpr const char* kFooter =
     R"(Writes Markdown to standard output. Exit status: 0 every mesh is proved, 1 a claim failed, 2 bad usage
