@@ -393,11 +393,10 @@ class Surveyor {
   /// Whether the corner is certainly convex, within the bounds, and no new extreme.
   ///
   /// `size` is the product of the edges' lengths in the 1-norm. Requires: cross and dot are each
-  /// off by less than 6.5 * 2^-53 * size. On the lattice differences are rounded once, which makes
-  /// it at most 4 (and terms of 2^-106). The cotangents of the extremes are off by 4 units of the
-  /// last place, and the products and differences below by one more rounding each: less than 16 *
-  /// 2^-53
-  /// * size * (1 + |cotangent|) together. 2^-48 leaves a factor of two.
+  /// off by less than 6.5 * 2^-53 * size; on the lattice, where differences are rounded once, it is
+  /// 4 at most (and terms of 2^-106). The cotangents of the extremes are off by 4 units of the last
+  /// place, the products and differences below by one more rounding each: together less than
+  /// 16 * 2^-53 * size * (1 + |cotangent|). 2^-48 leaves a factor of two.
   [[nodiscard]] bool is_uninteresting(double cross, double dot, double size) const {
     const double error = 0x1p-48 * size;
     return cross > error && low_ * cross - dot > low_error_ * error &&
