@@ -132,6 +132,25 @@ int Domain::turn(LatticePoint from, LatticePoint to, EdgeId vertex) const {
                           in_units(vertex)));
 }
 
+/// The sign of cross(d, (e, e^2)) = e^2 d.x - e d.y for its direction d.
+int Domain::moved_off(EdgeId e) const {
+  // Where the floors differ, the vertices do.
+  const LatticePoint whole{floor(next_[e]).x - floor(e).x, floor(next_[e]).y - floor(e).y};
+  if (whole.y != 0) return sign_of(-whole.y);
+  if (on_lattice_edge(e)) return sign_of(whole.x);
+  const RationalPoint from = in_units(e);
+  const RationalPoint to = in_units(next_[e]);
+  const int rise = sign_of(Rational(to.y - from.y));
+  return rise != 0 ? -rise : sign_of(Rational(to.x - from.x));
+}
+
+int Domain::moved_turn(LatticePoint from, LatticePoint to, EdgeId vertex) const {
+  const int unmoved = turn(from, to, vertex);
+  if (unmoved != 0) return unmoved;
+  // The sign of -cross(to - from, (e, e^2)).
+  return sign_of(to.y != from.y ? to.y - from.y : from.x - to.x);
+}
+
 double Domain::height(EdgeId e, LatticePoint point) const {
   // The cross product of the floors is exact; what the fractions add is no larger than the edge.
   const FinePoint& a = fine_[e];

@@ -27,7 +27,8 @@ struct Kite {
 };
 
 /// Guarantees: 1. vertices.exact(i) is the place of vertex i, exactly. 2. the interior is on the
-/// left of every edge. 3. side, holds, turn, foot are exact.
+/// left of every edge. 3. side, holds, turn, moved_off,
+/// moved_turn, foot are exact.
 class Domain {
  public:
   Domain(const RootSquare& root, const Polygon& polygon);
@@ -66,6 +67,11 @@ class Domain {
   [[nodiscard]] bool holds(EdgeId e, LatticePoint point) const;
   /// +1 where a vertex is on the left of the line between two points, 0 on it, -1 on the right.
   [[nodiscard]] int turn(LatticePoint from, LatticePoint to, EdgeId vertex) const;
+  /// Where points are moved by (e, e^2), e > 0 being smaller than any distance that is not 0, none
+  /// is on a line any more. The side of an edge to which those on its line come.
+  [[nodiscard]] int moved_off(EdgeId e) const;
+  /// turn() for two such points, which differ: never 0.
+  [[nodiscard]] int moved_turn(LatticePoint from, LatticePoint to, EdgeId vertex) const;
   /// Height of a lattice point above the line of an edge, in lattice units, with an error of a few
   /// units of the last place of the height, or of a lattice unit where that is more.
   [[nodiscard]] double height(EdgeId e, LatticePoint point) const;

@@ -150,22 +150,6 @@ class Descent {
   std::vector<std::uint8_t> near_;    ///< beside the stack: what children_near says at its level
 };
 
-/// Even-odd rule along the ray to the left. Requires: on no edge.
-bool is_inside(const Domain& domain, LatticePoint point) {
-  bool inside = false;
-  for (EdgeId e = 0; e < domain.size(); ++e) {
-    // A rounded vertex lies above the row exactly if its floor does: its fraction is not negative.
-    const auto above = [&](EdgeId v) {
-      return domain.floor(v).y > point.y ||
-             (domain.floor(v).y == point.y && domain.at(v).fraction.y > 0);
-    };
-    const bool up = above(domain.next(e));
-    if (above(e) == up) continue;
-    if ((domain.side(e, point) > 0) == up) inside = !inside;
-  }
-  return inside;
-}
-
 std::vector<EdgeId> edges_of(const Domain& domain) {
   std::vector<EdgeId> edges(domain.size());
   std::iota(edges.begin(), edges.end(), EdgeId{0});
@@ -178,11 +162,8 @@ LatticePoint middle_of(const Quadtree& tree, BlockId id) {
   return {block.corner.x + half, block.corner.y + half};
 }
 
-constexpr Where side_of(bool inside) { return inside ? Where::kInside : Where::kOutside; }
-
-/// Follows a straight line from a point that is not on the boundary to another, and turns sides
-/// where it crosses an edge. Points on the line count as on its right: as if it were moved to the
-/// left by less than its ends are away from the boundary.
+/// Follows a straight line between two points, and turns sides where it crosses an edge. Both are
+/// moved as by Domain::moved_off: then no end is on an edge, and no vertex on the line.
 class Crossings {
  public:
   Crossings(const Domain& domain, LatticePoint from, LatticePoint to)
@@ -190,23 +171,22 @@ class Crossings {
 
   void pass(EdgeId edge) {
     const int side = domain_.side(edge, to_);
-    if (side == 0) {
-      ends_on_boundary_ = ends_on_boundary_ || domain_.holds(edge, to_);
-    } else if (side * domain_.side(edge, from_) < 0 &&
-               (domain_.turn(from_, to_, edge) > 0) !=
-                   (domain_.turn(from_, to_, domain_.next(edge)) > 0)) {
+    ends_on_boundary_ = ends_on_boundary_ || (side == 0 && domain_.holds(edge, to_));
+    if (moved(side, edge) != moved(domain_.side(edge, from_), edge) &&
+        domain_.moved_turn(from_, to_, edge) != domain_.moved_turn(from_, to_, domain_.next(edge)))
       odd_ = !odd_;
-    }
   }
-  /// Of the end, `start` being that of the start; kUnknown or kBoundary: to be found out.
-  [[nodiscard]] Where end(Where start) const {
-    if (ends_on_boundary_) return Where::kBoundary;
-    if (start == Where::kInside || start == Where::kOutside)
-      return side_of((start == Where::kInside) != odd_);
-    return side_of(is_inside(domain_, to_));
+  [[nodiscard]] bool ends_on_boundary() const { return ends_on_boundary_; }
+  /// Where the moved end is, `start` being where the moved start is.
+  [[nodiscard]] Where moved_end(Where start) const {
+    return (start == Where::kInside) != odd_ ? Where::kInside : Where::kOutside;
   }
 
  private:
+  [[nodiscard]] int moved(int side, EdgeId edge) const {
+    return side != 0 ? side : domain_.moved_off(edge);
+  }
+
   const Domain& domain_;
   LatticePoint from_;
   LatticePoint to_;
@@ -307,7 +287,8 @@ class EdgeCells::Finder {
         continue;
       crossings.pass(edge.id);
     }
-    cells_.centres_[id] = crossings.end(is_root ? Where::kOutside : cells_.centres_[block.parent]);
+    cells_.centres_[id] =
+        crossings.moved_end(is_root ? Where::kOutside : cells_.centres_[block.parent]);
   }
 
   void leaf(Cell cell, std::span<const std::uint32_t> edges) {
@@ -341,7 +322,8 @@ EdgeCells::EdgeCells(const Domain& domain, const Quadtree& tree, const Window& w
 Where EdgeCells::where_at(Cell leaf, std::span<const EdgeId> edges, LatticePoint point) const {
   Crossings crossings(domain_, middle_of(tree_, leaf.block), point);
   for (const EdgeId edge : edges) crossings.pass(edge);
-  return crossings.end(centres_[leaf.block]);
+  if (crossings.ends_on_boundary()) return Where::kBoundary;
+  return crossings.moved_end(centres_[leaf.block]);
 }
 
 void for_leaves_with_edges(const Domain& domain, const Quadtree& tree,

@@ -25,9 +25,8 @@ enum class Where : std::uint8_t { kUnknown, kOutside, kInside, kBoundary };
 /// some that do not may be, too. They ascend. 2. where(leaf) is exact: kInside or kOutside for a
 /// leaf that is not met and for all of it, grown likewise; kUnknown for one that is met, or not in
 /// the window. Requires: tree and domain outlive it, and stay as they are. Complexity: linear in
-/// the pairs of an edge and a node of the tree that meet; n more for each child of a node whose
-/// centre is on an edge, and for each call of where_at there. 2 bytes for each node of the tree, 12
-/// for each leaf that is met, 4 for each of its edges.
+/// the pairs of an edge and a node of the tree that meet; where_at in the edges of its leaf. 2 bytes
+/// for each node of the tree, 12 for each leaf that is met, 4 for each of its edges.
 class EdgeCells {
  public:
   EdgeCells(const Domain& domain, const Quadtree& tree, const Window& window = {});
@@ -60,7 +59,8 @@ class EdgeCells {
   std::vector<Met> met_;
   std::vector<EdgeId> edges_;
   std::vector<std::uint8_t> leaves_;  ///< by node: Where of its leaves, two bits each
-  std::vector<Where> centres_;        ///< by node that edges may meet: of its centre
+  /// By node that edges may meet: of its centre, moved as by Domain::moved_off.
+  std::vector<Where> centres_;
 };
 
 /// Calls visit for each leaf that some edges may meet, with these edges, in the order given;

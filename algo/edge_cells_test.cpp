@@ -106,6 +106,7 @@ class Sample {
 
 std::vector<Sample> samples() {
   std::vector<Sample> result;
+  result.emplace_back(normalised({"through centres", {{{0, -1}, {1, 0}, {0, 1}, {-1, 0}}}}));
   result.emplace_back(normalised(
       {"off", {{{1e-7 / 3, -1e-9 / 7}, {1, 0.1}, {0.7, 1e-5 / 3 + 0.9}, {-1e-6 / 9, 0.5}}}}));
   for (const char* recipe : {"star:n=8,seed=1,holes=1", "grid-aligned:n=8,seed=3,level=3"})
@@ -145,8 +146,12 @@ TEST(EdgeCells, TellWherePointsOfMetLeavesLie) {
     edge_cells.for_met([&](Cell leaf, std::span<const EdgeId> edges) {
       const int side_bits = sample.tree().side_bits(leaf);
       const LatticePoint low = sample.tree().corner(leaf);
+      const std::int64_t half = std::int64_t{1} << (side_bits - 1);
       std::vector<LatticePoint> points{
-          {low.x + random.bits(side_bits), low.y + random.bits(side_bits)}};
+          {low.x + random.bits(side_bits), low.y + random.bits(side_bits)},
+          {low.x + half, low.y + half},
+          {low.x + half, low.y},
+          low};
       for (const EdgeId e : edges)
         if (sample.tree().leaf_at(sample.domain().floor(e)) == leaf)
           points.push_back(sample.domain().floor(e));
