@@ -50,15 +50,16 @@ TreeBudgetExceeded at_smallest_cell(const Quadtree& tree, RefusalKind kind) {
 
 }  // namespace
 
-DomainMesher::DomainMesher(const Domain& domain, const SizeField& sizes, const Budget& budget,
-                           bool is_last_root, std::vector<Split>& history,
-                           PolygonCounters& counters, EdgeInsertion insertion)
+DomainMesher::DomainMesher(const Domain& domain, const InputVertices& inputs,
+                           const SizeField& sizes, const Budget& budget, bool is_last_root,
+                           Learnt& learnt, PolygonCounters& counters, EdgeInsertion insertion)
     : domain_(domain),
+      inputs_(inputs),
       sizes_(sizes),
       deadline_(budget.max_seconds),
       separation_(placed_vertices(domain), budget),
       is_last_root_(is_last_root),
-      history_(history),
+      learnt_(learnt),
       counters_(counters),
       insertion_(insertion) {}
 
@@ -75,7 +76,7 @@ DomainMesher::Outcome DomainMesher::run_rounds() {
   separation_.apply_conditions();
   separation_.refine_five_by_five();
   counters_.cells_before = separation_.tree().leaf_count();
-  repeat_history();
+  repeat_splits();
   separate_cells();
   for (;;) {
     ++counters_.rounds;
@@ -84,21 +85,20 @@ DomainMesher::Outcome DomainMesher::run_rounds() {
     std::optional<DomainMesh> made = round();
     if (made) return std::move(*made);
     if (fault_) return *fault_;
-    if (auto kites = split_and_separate()) return std::move(*kites);
+    split_and_separate();
+    if (!hopeless_.empty()) return NeedsKites{hopeless_};
     if (dead_rounds_ > kDeadRounds && !is_last_root_) return NeedsOtherRoot{};
   }
 }
 
-/// Splits what a round asked for, and goes on around that until the edges are separated there.
-std::optional<NeedsKites> DomainMesher::split_and_separate() {
+/// Splits what a round asked for, and goes on around that until the edges are separated there, but
+/// for those at hopeless vertices: the more of these are found, the fewer attempts are given up.
+void DomainMesher::split_and_separate() {
   while (!to_split_.empty()) {
-    std::vector<EdgeId> hopeless = lose_patience();
-    if (!hopeless.empty()) return NeedsKites{std::move(hopeless)};
     const std::optional<Window> window = split();
-    if (!window) return std::nullopt;
+    if (!window) return;
     local_round(*window);
   }
-  return std::nullopt;
 }
 
 /// The window around the splits; nullopt where it is no smaller than half of the tree, which may as
@@ -123,8 +123,8 @@ void DomainMesher::local_round(const Window& window) {
     split_around(tree_mesh, keep_quads(tree_mesh, cut_quads).pinched);
 }
 
-void DomainMesher::repeat_history() {
-  for (const Split& split : history_) {
+void DomainMesher::repeat_splits() {
+  for (const Split& split : learnt_.splits) {
     const Cell leaf = separation_.tree().leaf_at(split.corner);
     if (separation_.tree().side_bits(leaf) == split.side_bits) separation_.refine({leaf});
   }
@@ -186,11 +186,15 @@ bool DomainMesher::find_strips(TreeMesh& tree_mesh, KeptQuads& kept, std::vector
 bool DomainMesher::is_separated(const TreeMesh& tree_mesh, const CutQuads& cut_quads) {
   const std::vector<SeparationFault> faults = separation_faults(domain_, tree_mesh, cut_quads);
   if (faults.empty()) return true;
+  for (const SeparationFault& fault : faults)
+    if (const auto acute = acute_between(domain_, fault.edge, fault.other))
+      troubled_.push_back(*acute);
+  lose_patience();
   for (const SeparationFault& fault : faults) {
-    to_split_.push_back(fault.split);
     const auto acute = acute_between(domain_, fault.edge, fault.other);
-    if (acute) troubled_.push_back(*acute);
-    if (!acute) remember(fault.split);
+    if (acute && is_hopeless(*acute)) continue;
+    to_split_.push_back(fault.split);
+    remember(fault.split, acute);
   }
   for (const Cell leaf : leaves_along_gaps(domain_, separation_.tree(), faults)) {
     to_split_.push_back(leaf);
@@ -305,6 +309,7 @@ bool DomainMesher::insert(TreeMesh& tree_mesh, const CutQuads& cut_quads, const 
     split_around(tree_mesh, dead.near);
     for (const VertexId v : dead.near) blame_acute(tree_mesh, cut_quads, v);
   }
+  lose_patience();
   if (to_split_.empty()) return true;
   ++dead_rounds_;
   return false;
@@ -354,16 +359,20 @@ void DomainMesher::blame_acute(const TreeMesh& tree_mesh, const CutQuads& cut_qu
   }
 }
 
-/// Counts the rounds in which each acute vertex made trouble. The v of a kite is never acute.
-std::vector<EdgeId> DomainMesher::lose_patience() {
+/// Counts the rounds in which each acute vertex made trouble. Corners of kites are never acute.
+void DomainMesher::lose_patience() {
   std::sort(troubled_.begin(), troubled_.end());
   troubled_.erase(std::unique(troubled_.begin(), troubled_.end()), troubled_.end());
-  std::vector<EdgeId> hopeless;
-  trouble_.resize(domain_.size());
-  for (const EdgeId site : troubled_)
-    if (++trouble_[site] >= kPatience) hopeless.push_back(site);
+  for (const EdgeId site : troubled_) {
+    const std::size_t input = inputs_[site].value();
+    if (++learnt_.trouble[input] == kPatience) hopeless_.push_back(input);
+  }
   troubled_.clear();
-  return hopeless;
+}
+
+/// Its cells are not split for its two edges any more.
+bool DomainMesher::is_hopeless(EdgeId acute) const {
+  return learnt_.trouble[inputs_[acute].value()] >= kPatience;
 }
 
 /// Splits the largest of the leaves of some vertices.
@@ -379,8 +388,10 @@ void DomainMesher::split_around(const TreeMesh& tree_mesh, const std::vector<Ver
   }
 }
 
-void DomainMesher::remember(Cell leaf) {
-  history_.push_back({separation_.tree().corner(leaf), separation_.tree().side_bits(leaf)});
+void DomainMesher::remember(Cell leaf, std::optional<EdgeId> acute) {
+  const Quadtree& tree = separation_.tree();
+  learnt_.splits.push_back(
+      {tree.corner(leaf), tree.side_bits(leaf), acute ? inputs_[*acute] : std::nullopt});
 }
 
 void DomainMesher::check_time() { deadline_.check_now(domain_.root().corner, 0); }

@@ -43,18 +43,28 @@ struct PolygonCounters {
   InsertionCounters insertion;
 };
 
-/// Acute vertices of a domain that need a kite.
+/// Acute vertices that need a kite, as vertices of the input.
 struct NeedsKites {
-  std::vector<EdgeId> sites;
+  std::vector<std::size_t> inputs;
 };
 /// The same dead ends come back at every level: another root square may do better.
 struct NeedsOtherRoot {};
 
-/// Leaves that were split, in order: an attempt with more kites begins with them.
+/// A leaf that was split.
 struct Split {
   LatticePoint corner;
   int side_bits;
+  std::optional<std::size_t> acute;  ///< for the two edges at this vertex of the input only
 };
+
+/// What attempts in one root square learnt, for the next one, which has more kites.
+struct Learnt {
+  std::vector<Split> splits;  ///< that separated edges, in order
+  std::vector<int> trouble;   ///< by vertex of the input: rounds in which it was blamed
+};
+
+/// By vertex of a domain the vertex of the input, where it is one.
+using InputVertices = std::vector<std::optional<std::size_t>>;
 
 /// How edges, corners and kites are meshed: by our search along the whole chain, or by the cases of
 /// Lemmas 11 and 12 and Section 4 as written.
@@ -64,24 +74,25 @@ class DomainMesher {
  public:
   using Outcome = std::variant<DomainMesh, NeedsKites, NeedsOtherRoot, LemmaFault>;
 
-  /// `is_last_root`: never ask for another one. `history` is what earlier attempts in the same root
-  /// square split, and grows; splits at vertices that are given a kite are left out. All arguments
-  /// but the budget must outlive it.
-  DomainMesher(const Domain& domain, const SizeField& sizes, const Budget& budget,
-               bool is_last_root, std::vector<Split>& history, PolygonCounters& counters,
+  /// `is_last_root`: never ask for another one. `learnt` is what earlier attempts in the same root
+  /// square learnt, and grows; no split of it is for a vertex that has a kite. All arguments but
+  /// the budget must outlive it.
+  DomainMesher(const Domain& domain, const InputVertices& inputs, const SizeField& sizes,
+               const Budget& budget, bool is_last_root, Learnt& learnt, PolygonCounters& counters,
                EdgeInsertion insertion = EdgeInsertion::kSearch);
 
   /// Guarantees: 1. every quad of the mesh has thm-13's angles, but for whole input angles and the
   /// rounding that kSmallestSlack allows for; not so with kLemmas. 2. LemmaFault comes with kLemmas
-  /// only, NeedsKites and NeedsOtherRoot with kSearch only. Throws: TreeBudgetExceeded, with the
-  /// place of the smallest cell where the cells ran out.
+  /// only, NeedsKites and NeedsOtherRoot with kSearch only. 3. NeedsKites names vertices that have
+  /// no kite, one at least. Throws: TreeBudgetExceeded, with the place of the smallest cell where
+  /// the cells ran out.
   Outcome run();
 
  private:
   Outcome run_rounds();
   /// Empty where cells were put on to_split_.
   std::optional<DomainMesh> round();
-  std::optional<NeedsKites> split_and_separate();
+  void split_and_separate();
   std::optional<Window> split();
   void local_round(const Window& window);
   bool find_strips(TreeMesh& tree_mesh, KeptQuads& kept, std::vector<Strip>& strips);
@@ -101,18 +112,20 @@ class DomainMesher {
   bool fill(DomainMesh& made, const TreeMesh& tree_mesh);
   void split_around(const TreeMesh& tree_mesh, const std::vector<VertexId>& vertices);
   void blame_acute(const TreeMesh& tree_mesh, const CutQuads& cut_quads, VertexId vertex);
-  std::vector<EdgeId> lose_patience();
-  void repeat_history();
+  void lose_patience();
+  [[nodiscard]] bool is_hopeless(EdgeId acute) const;
+  void repeat_splits();
   void separate_cells();
-  void remember(Cell leaf);
+  void remember(Cell leaf, std::optional<EdgeId> acute = std::nullopt);
   void check_time();
 
   const Domain& domain_;
+  const InputVertices& inputs_;
   const SizeField& sizes_;
   Deadline deadline_;
   Separation separation_;
   bool is_last_root_;
-  std::vector<Split>& history_;
+  Learnt& learnt_;
   PolygonCounters& counters_;
   EdgeInsertion insertion_;
   std::optional<LemmaFault> fault_;
@@ -121,8 +134,8 @@ class DomainMesher {
   std::vector<Cell> to_split_;
   std::vector<AlignedCentre> aligned_;
   int dead_rounds_ = 0;
-  std::vector<EdgeId> troubled_;  ///< acute vertices, this round
-  std::vector<int> trouble_;      ///< rounds of it, by vertex of the domain
+  std::vector<EdgeId> troubled_;       ///< acute vertices, this round
+  std::vector<std::size_t> hopeless_;  ///< acute vertices that need a kite
 };
 
 }  // namespace quadbound

@@ -28,9 +28,8 @@ std::vector<Point> vertices_of(const Polygon& polygon) {
   return points;
 }
 
-/// By vertex of the domain the vertex of the input, where it is one.
-std::vector<std::optional<std::size_t>> inputs_of(const std::vector<bool>& cut) {
-  std::vector<std::optional<std::size_t>> result;
+InputVertices inputs_of(const std::vector<bool>& cut) {
+  InputVertices result;
   for (std::size_t i = 0; i < cut.size(); ++i) {
     if (cut[i]) {
       result.resize(result.size() + 3);
@@ -93,11 +92,12 @@ class PolygonMesher {
   LemmaMeshResult run_by_lemmas() {
     try {
       result_.root = place_root(points_, kRootShifts.front()).root;
-      const Domain domain = cut_kites(polygon_, result_.root, acute_vertices());
+      const std::vector<bool> cut = acute_vertices();
+      const Domain domain = cut_kites(polygon_, result_.root, cut);
       result_.counters.kites = domain.kites.size();
-      std::vector<Split> history;
-      auto made = DomainMesher(domain, sizes_, remaining(), true, history, result_.counters,
-                               EdgeInsertion::kLemmas)
+      Learnt learnt{{}, std::vector<int>(cut.size())};
+      auto made = DomainMesher(domain, inputs_of(cut), sizes_, remaining(), true, learnt,
+                               result_.counters, EdgeInsertion::kLemmas)
                       .run();
       if (const auto* fault = std::get_if<LemmaFault>(&made)) return no_case(*fault);
       take(std::get<DomainMesh>(std::move(made)));
@@ -110,20 +110,21 @@ class PolygonMesher {
  private:
   bool mesh_in_root(bool is_last) {
     std::vector<bool> cut = sharp_vertices(polygon_);
-    std::vector<Split> history;
+    Learnt learnt{{}, std::vector<int>(cut.size())};
     for (;; ++result_.counters.restarts) {
       const Domain domain = cut_kites(polygon_, result_.root, cut);
       result_.counters.kites = domain.kites.size();
-      auto made =
-          DomainMesher(domain, sizes_, remaining(), is_last, history, result_.counters).run();
+      auto made = DomainMesher(domain, inputs_of(cut), sizes_, remaining(), is_last, learnt,
+                               result_.counters)
+                      .run();
       if (std::holds_alternative<NeedsOtherRoot>(made)) return false;
       if (auto* mesh = std::get_if<DomainMesh>(&made)) {
         take(std::move(*mesh));
         return true;
       }
-      const auto inputs = inputs_of(cut);
-      for (const EdgeId site : std::get<NeedsKites>(made).sites)
-        if (inputs[site]) cut[*inputs[site]] = true;
+      for (const std::size_t input : std::get<NeedsKites>(made).inputs) cut[input] = true;
+      std::erase_if(learnt.splits,
+                    [&](const Split& split) { return split.acute && cut[*split.acute]; });
     }
   }
 

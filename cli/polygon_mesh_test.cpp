@@ -318,6 +318,20 @@ TEST(Shapes, Lake) {
   EXPECT_EQ(flaw(lake), "");
 }
 
+/// Splits and trouble at acute vertices without a kite are carried over to the next attempt, and
+/// one attempt finds all that need a kite: these took one and two rounds more, growth another
+/// restart.
+TEST(Shapes, AttemptsLearnFromEachOther) {
+  const auto lake =
+      meshed(normalised(read_polygon(std::string(QUADBOUND_PAPER_DATA) + "/superior-303.geojson")));
+  EXPECT_EQ(lake.counters.rounds, 3U);
+  EXPECT_EQ(lake.counters.restarts, 1U);
+  const auto growth = meshed(polygon_of("growth:n=100,seed=3"));
+  EXPECT_EQ(growth.counters.rounds, 4U);
+  EXPECT_EQ(growth.counters.restarts, 1U);
+  EXPECT_EQ(flaw("growth:n=100,seed=3"), "");
+}
+
 /// A vertex exactly on a corner of the dyadic grid, with an edge of slope one third through it. In
 /// a root square with dyadic corners the vertex is on a corner of the cells of every level and the
 /// edges nearly repeat what the cells around it see of them: the strip had no pieces at any level.
