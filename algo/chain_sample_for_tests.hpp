@@ -30,7 +30,7 @@ class ChainSample {
       : ChainSample(normalised(generate_polygon(parse_polygon_recipe(recipe))), splits) {}
   ChainSample(const Polygon& polygon, std::uint64_t splits)
       : domain_(domain_of(polygon)),
-        separation_(placed(), {}),
+        separation_(placed_vertices(domain_), {}),
         edge_cells_(domain_, split_tree(splits)),
         tree_mesh_(domain_, separation_, edge_cells_, counters_),
         cut_quads_(domain_, tree_mesh_, edge_cells_) {}
@@ -74,14 +74,6 @@ class ChainSample {
     for (const Ring& ring : polygon.rings) points.insert(points.end(), ring.begin(), ring.end());
     const RootSquare root = place_root(points, {3, 5}).root;
     return cut_kites(polygon, root, std::vector<bool>(points.size()));
-  }
-  [[nodiscard]] PlacedPoints placed() const {
-    PlacedPoints points{domain_.root(), {}, {}};
-    for (EdgeId v = 0; v < domain_.size(); ++v) {
-      points.floors.push_back(domain_.floor(v));
-      points.rounded.push_back(domain_.rounded(v));
-    }
-    return points;
   }
   const Quadtree& split_tree(std::uint64_t splits) {
     separation_.apply_conditions();

@@ -247,4 +247,14 @@ RationalPoint Domain::foot_exact(EdgeId e, std::int64_t foot) const {
   return {a.x + (here - a.y) * (b.x - a.x) / (b.y - a.y), here};
 }
 
+PlacedPoints placed_vertices(const Domain& domain) {
+  PlacedPoints placed;
+  placed.root = domain.root();
+  for (EdgeId v = 0; v < domain.size(); ++v) {
+    placed.floors.push_back(domain.floor(v));
+    placed.rounded.push_back(domain.rounded(v));
+  }
+  return placed;
+}
+
 }  // namespace quadbound

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "algo/fine_point.hpp"
+#include "algo/point_separation.hpp"
 #include "algo/quadtree.hpp"
 #include "model/mesh.hpp"
 #include "model/polygon.hpp"
@@ -121,5 +122,8 @@ class Domain {
   std::vector<bool> runs_in_x_;
   std::vector<bool> backwards_;  ///< the number of the Steiner points falls along the edge
 };
+
+/// The vertices of a domain as Separation takes them.
+PlacedPoints placed_vertices(const Domain& domain);
 
 }  // namespace quadbound

@@ -23,16 +23,6 @@ constexpr int kPatience = 3;
 /// repeats from level to level, so does the dead end.
 constexpr int kDeadRounds = 10;
 
-PlacedPoints placed_vertices(const Domain& domain) {
-  PlacedPoints placed;
-  placed.root = domain.root();
-  for (EdgeId v = 0; v < domain.size(); ++v) {
-    placed.floors.push_back(domain.floor(v));
-    placed.rounded.push_back(domain.rounded(v));
-  }
-  return placed;
-}
-
 /// The vertex that two edges share, if it is acute.
 std::optional<EdgeId> acute_between(const Domain& domain, EdgeId e, EdgeId f) {
   if (domain.next(e) == f && domain.is_acute(f)) return f;

@@ -25,8 +25,8 @@ enum class Where : std::uint8_t { kUnknown, kOutside, kInside, kBoundary };
 /// some that do not may be, too. They ascend. 2. where(leaf) is exact: kInside or kOutside for a
 /// leaf that is not met and for all of it, grown likewise; kUnknown for one that is met, or not in
 /// the window. Requires: tree and domain outlive it, and stay as they are. Complexity: linear in
-/// the pairs of an edge and a node of the tree that meet; where_at in the edges of its leaf. 2 bytes
-/// for each node of the tree, 12 for each leaf that is met, 4 for each of its edges.
+/// the pairs of an edge and a node of the tree that meet; where_at in the edges of its leaf. 2
+/// bytes for each node of the tree, 12 for each leaf that is met, 4 for each of its edges.
 class EdgeCells {
  public:
   EdgeCells(const Domain& domain, const Quadtree& tree, const Window& window = {});

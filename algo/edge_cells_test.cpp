@@ -26,7 +26,8 @@ namespace {
 /// A domain, with vertices off the lattice or with kites too, and its tree.
 class Sample {
  public:
-  explicit Sample(const Polygon& polygon) : domain_(domain_of(polygon)), separation_(placed(), {}) {
+  explicit Sample(const Polygon& polygon)
+      : domain_(domain_of(polygon)), separation_(placed_vertices(domain_), {}) {
     separation_.apply_conditions();
     separation_.refine_five_by_five();
   }
@@ -90,14 +91,6 @@ class Sample {
     std::vector<bool> cut;
     for (EdgeId v = 0; v < whole.size(); ++v) cut.push_back(whole.is_acute(v));
     return cut_kites(polygon, root, cut);
-  }
-  [[nodiscard]] PlacedPoints placed() const {
-    PlacedPoints points{domain_.root(), {}, {}};
-    for (EdgeId v = 0; v < domain_.size(); ++v) {
-      points.floors.push_back(domain_.floor(v));
-      points.rounded.push_back(domain_.rounded(v));
-    }
-    return points;
   }
 
   Domain domain_;

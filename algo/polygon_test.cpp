@@ -240,7 +240,7 @@ TEST(PlaceRoot, AShiftMovesTheSquareByPartsOfASixteenth) {
 class Stage {
  public:
   explicit Stage(Domain domain)
-      : domain_(std::move(domain)), separation_(placed(domain_), Budget{}) {
+      : domain_(std::move(domain)), separation_(placed_vertices(domain_), Budget{}) {
     separation_.apply_conditions();
     separation_.refine_five_by_five();
     remake();
@@ -273,14 +273,6 @@ class Stage {
   }
 
  private:
-  static PlacedPoints placed(const Domain& domain) {
-    PlacedPoints points{domain.root(), {}, {}};
-    for (EdgeId v = 0; v < domain.size(); ++v) {
-      points.floors.push_back(domain.floor(v));
-      points.rounded.push_back(domain.rounded(v));
-    }
-    return points;
-  }
   void remake() {
     const EdgeCells edge_cells(domain_, separation_.tree());
     tree_mesh_ = std::make_unique<TreeMesh>(domain_, separation_, edge_cells, counters_);

@@ -106,13 +106,7 @@ Domain domain_of(const PolygonCase& c) {
 }
 
 Separation separated(const Domain& domain) {
-  PlacedPoints placed;
-  placed.root = domain.root();
-  for (EdgeId v = 0; v < domain.size(); ++v) {
-    placed.floors.push_back(domain.floor(v));
-    placed.rounded.push_back(domain.rounded(v));
-  }
-  Separation separation(placed, {});
+  Separation separation(placed_vertices(domain), {});
   separation.apply_conditions();
   separation.refine_five_by_five();
   return separation;
