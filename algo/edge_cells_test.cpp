@@ -26,8 +26,8 @@ namespace {
 /// A domain, with vertices off the lattice or with kites too, and its tree.
 class Sample {
  public:
-  explicit Sample(const Polygon& polygon)
-      : domain_(domain_of(polygon)), separation_(placed_vertices(domain_), {}) {
+  explicit Sample(const Polygon& polygon, RootShift shift = {3, 5})
+      : domain_(domain_of(polygon, shift)), separation_(placed_vertices(domain_), {}) {
     separation_.apply_conditions();
     separation_.refine_five_by_five();
   }
@@ -83,10 +83,10 @@ class Sample {
   }
 
  private:
-  static Domain domain_of(const Polygon& polygon) {
+  static Domain domain_of(const Polygon& polygon, RootShift shift) {
     std::vector<Point> points;
     for (const Ring& ring : polygon.rings) points.insert(points.end(), ring.begin(), ring.end());
-    const RootSquare root = place_root(points, {3, 5}).root;
+    const RootSquare root = place_root(points, shift).root;
     const Domain whole = cut_kites(polygon, root, std::vector<bool>(points.size()));
     std::vector<bool> cut;
     for (EdgeId v = 0; v < whole.size(); ++v) cut.push_back(whole.is_acute(v));
@@ -99,7 +99,8 @@ class Sample {
 
 std::vector<Sample> samples() {
   std::vector<Sample> result;
-  result.emplace_back(normalised({"through centres", {{{0, -1}, {1, 0}, {0, 1}, {-1, 0}}}}));
+  result.emplace_back(
+      normalised({"through centres", {{{0, -1}, {1, 0}, {1.5, 0}, {0, 1}, {-1, 0}}}}), RootShift{});
   result.emplace_back(normalised(
       {"off", {{{1e-7 / 3, -1e-9 / 7}, {1, 0.1}, {0.7, 1e-5 / 3 + 0.9}, {-1e-6 / 9, 0.5}}}}));
   for (const char* recipe : {"star:n=8,seed=1,holes=1", "grid-aligned:n=8,seed=3,level=3"})
@@ -129,6 +130,17 @@ TEST(EdgeCells, ListEveryEdgeAtTheLeavesThatItMeetsAndTheSidesOfTheOthers) {
       }
     }
   }
+}
+
+TEST(EdgeCells, AreSeenWithCentresOfNodesOnEdges) {
+  const Sample sample = std::move(samples().front());
+  int on_edge = 0;
+  for (BlockId block = 0; block < sample.tree().blocks().size(); ++block) {
+    const std::int64_t half = std::int64_t{1} << sample.tree().side_bits({block, kNorthEast});
+    const LatticePoint low = sample.tree().blocks()[block].corner;
+    on_edge += sample.where({low.x + half, low.y + half}) == Where::kBoundary ? 1 : 0;
+  }
+  EXPECT_GT(on_edge, 2);
 }
 
 TEST(EdgeCells, TellWherePointsOfMetLeavesLie) {
