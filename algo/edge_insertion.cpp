@@ -290,6 +290,10 @@ class Insertion {
                                               on_lattice(point(j + 2)), on_lattice(point(j + 1))});
   }
 
+  static bool is_better(double slack, std::uint32_t quads, const State& than) {
+    return slack > than.slack || (slack == than.slack && quads < than.quads);
+  }
+
   /// Whether it is taken.
   bool offer(State& to, int from, int from_state, double slack, unsigned quads,
              const Piece& piece) {
@@ -297,7 +301,7 @@ class Insertion {
     const State& before = states(from)[static_cast<std::size_t>(from_state)];
     const double value = std::min({before.slack, slack, kEnoughSlack});
     const std::uint32_t count = before.quads + quads;
-    if (value < to.slack || (value == to.slack && count >= to.quads)) return false;
+    if (!is_better(value, count, to)) return false;
     to.slack = value;
     to.quads = count;
     to.from = from;
@@ -390,6 +394,7 @@ class Insertion {
     const EdgeId before = domain_.previous(corner);
     for_reached(j - 2, [&](const State& from, int from_state) {
       if (from.at_site || from.edge != before) return;
+      if (!is_better(std::min(from.slack, kEnoughSlack), from.quads + 3, to)) return;
       const auto made =
           mesh_hexagon(from.at, domain_.at(corner), to.at, point(j - 2), point(j - 1), point(j));
       if (!made) return;

@@ -138,21 +138,29 @@ std::optional<Hexagon> mesh_hexagon(const FinePoint& x, const FinePoint& v, cons
   const Vector va = on_lattice(a) - v;
   const Vector vb = on_lattice(b) - v;
   const Vector vc = on_lattice(c) - v;
-  const auto slack_at = [&](Vector s) {
-    return std::min({quad_slack({vx, Vector{}, s, va}), quad_slack({Vector{}, vy, vc, s}),
-                     quad_slack({s, vc, vb, va})});
+  // Corners that are the same wherever s lies.
+  if (!(std::min({corner_slack(-1.0 * vx, va - vx), corner_slack(vc - vy, -1.0 * vy),
+                  corner_slack(va - vb, vc - vb)}) > kSmallestSlack))
+    return std::nullopt;
+  // Exact where it is more than `least`.
+  const auto slack_at = [&](Vector s, double least) {
+    double slack = quad_slack({vx, Vector{}, s, va});
+    if (!(slack > least)) return slack;
+    slack = std::min(slack, quad_slack({Vector{}, vy, vc, s}));
+    if (!(slack > least)) return slack;
+    return std::min(slack, quad_slack({s, vc, vb, va}));
   };
   double best = -1;
   Vector at{};
   for (const double part : {0.3, 0.45, 0.6, 0.8}) {
     Vector here = part * vb;
-    double slack = slack_at(here);
-    // Halve the step while no neighbour is better; 2^-9 of |vb| is finer than the slack is worth.
+    double slack = slack_at(here, -1);
+    // Halve the step while no neighbour is better; 2^-12 of |vb| is finer than the slack is worth.
     for (double step = length(vb) / 8; step > length(vb) * 0x1p-12;) {
       bool better = false;
       for (const Vector d :
            {Vector{step, 0}, Vector{-step, 0}, Vector{0, step}, Vector{0, -step}}) {
-        const double there = slack_at(here + d);
+        const double there = slack_at(here + d, slack);
         if (!(there > slack)) continue;
         slack = there;
         here = here + d;
@@ -167,7 +175,7 @@ std::optional<Hexagon> mesh_hexagon(const FinePoint& x, const FinePoint& v, cons
   }
   if (best <= kSmallestSlack) return std::nullopt;
   const LatticePoint s = nearest_lattice_point(v, at);
-  const double slack = slack_at(on_lattice(s) - v);
+  const double slack = slack_at(on_lattice(s) - v, kSmallestSlack);
   if (!(slack > kSmallestSlack)) return std::nullopt;
   return Hexagon{slack, s};
 }
