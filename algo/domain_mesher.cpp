@@ -68,6 +68,8 @@ DomainMesher::Outcome DomainMesher::run_rounds() {
   counters_.cells_before = separation_.tree().leaf_count();
   repeat_splits();
   separate_cells();
+  separate_undone();
+  if (!hopeless_.empty()) return NeedsKites{hopeless_};
   for (;;) {
     ++counters_.rounds;
     counters_.quadtree = {};
@@ -91,15 +93,19 @@ void DomainMesher::split_and_separate() {
   }
 }
 
-/// The window around the splits; nullopt where it is no smaller than half of the tree, which may as
-/// well be looked at as a whole.
+/// The window around the splits; nullopt where it is large.
 std::optional<Window> DomainMesher::split() {
   const auto known = static_cast<BlockId>(separation_.tree().blocks().size());
   separation_.refine(to_split_);
   to_split_.clear();
   Window window(separation_.tree(), known);
-  if (2 * window.size() > separation_.tree().blocks().size()) return std::nullopt;
+  if (is_large(window)) return std::nullopt;
   return window;
+}
+
+/// No smaller than half of the tree, which may as well be looked at as a whole.
+bool DomainMesher::is_large(const Window& window) const {
+  return 2 * window.size() > separation_.tree().blocks().size();
 }
 
 void DomainMesher::local_round(const Window& window) {
@@ -129,11 +135,28 @@ void DomainMesher::separate_cells() {
     const std::vector<Cell> large = leaves_too_large(domain_, separation_.tree(), *edge_cells_);
     if (large.empty()) break;
     counters_.separation_splits += large.size();
+    for (const Cell leaf : large) remember(leaf, std::nullopt, learnt_.splits);
     const auto known = static_cast<BlockId>(separation_.tree().blocks().size());
     separation_.refine(large);
     window = Window(separation_.tree(), known);
   }
   if (!window.is_whole()) edge_cells_.reset();
+}
+
+/// The attempt before this one was separated but for what it left to new kites: this is looked at
+/// before the whole.
+void DomainMesher::separate_undone() {
+  if (learnt_.undone.empty()) return;
+  std::vector<Cell> leaves;
+  for (const Split& split : learnt_.undone)
+    leaves.push_back(separation_.tree().leaf_at(split.corner));
+  learnt_.undone.clear();
+  const Window window(separation_.tree(), leaves);
+  if (is_large(window)) return;
+  local_round(window);
+  if (to_split_.empty()) return;
+  edge_cells_.reset();
+  split_and_separate();
 }
 
 std::optional<DomainMesh> DomainMesher::round() {
@@ -182,13 +205,13 @@ bool DomainMesher::is_separated(const TreeMesh& tree_mesh, const CutQuads& cut_q
   lose_patience();
   for (const SeparationFault& fault : faults) {
     const auto acute = acute_between(domain_, fault.edge, fault.other);
-    if (acute && is_hopeless(*acute)) continue;
-    to_split_.push_back(fault.split);
-    remember(fault.split, acute);
+    const bool hopeless = acute && is_hopeless(*acute);
+    remember(fault.split, acute, hopeless ? learnt_.undone : learnt_.splits);
+    if (!hopeless) to_split_.push_back(fault.split);
   }
   for (const Cell leaf : leaves_along_gaps(domain_, separation_.tree(), faults)) {
     to_split_.push_back(leaf);
-    remember(leaf);
+    remember(leaf, std::nullopt, learnt_.splits);
   }
   counters_.separation_splits += to_split_.size();
   return false;
@@ -378,10 +401,9 @@ void DomainMesher::split_around(const TreeMesh& tree_mesh, const std::vector<Ver
   }
 }
 
-void DomainMesher::remember(Cell leaf, std::optional<EdgeId> acute) {
+void DomainMesher::remember(Cell leaf, std::optional<EdgeId> acute, std::vector<Split>& list) {
   const Quadtree& tree = separation_.tree();
-  learnt_.splits.push_back(
-      {tree.corner(leaf), tree.side_bits(leaf), acute ? inputs_[*acute] : std::nullopt});
+  list.push_back({tree.corner(leaf), tree.side_bits(leaf), acute ? inputs_[*acute] : std::nullopt});
 }
 
 void DomainMesher::check_time() { deadline_.check_now(domain_.root().corner, 0); }

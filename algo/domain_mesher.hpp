@@ -3,7 +3,9 @@
 // Sections 3 and 4 on one domain and one root square: rounds of separation and insertion on a tree
 // that grows until both succeed.
 
+#include <algorithm>
 #include <cstdint>
+#include <iterator>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -59,7 +61,16 @@ struct Split {
 
 /// What attempts in one root square learnt, for the next one, which has more kites.
 struct Learnt {
+  explicit Learnt(std::size_t vertices) : trouble(vertices) {}
+  /// Splits for which `condition` holds are undone.
+  template <class Condition>
+  void undo(const Condition& condition) {
+    std::copy_if(splits.begin(), splits.end(), std::back_inserter(undone), condition);
+    std::erase_if(splits, condition);
+  }
+
   std::vector<Split> splits;  ///< that separated edges, in order
+  std::vector<Split> undone;  ///< not made again, or not at all, as the acute vertex gets a kite
   std::vector<int> trouble;   ///< by vertex of the input: rounds in which it was blamed
 };
 
@@ -94,6 +105,7 @@ class DomainMesher {
   std::optional<DomainMesh> round();
   void split_and_separate();
   std::optional<Window> split();
+  [[nodiscard]] bool is_large(const Window& window) const;
   void local_round(const Window& window);
   bool find_strips(TreeMesh& tree_mesh, KeptQuads& kept, std::vector<Strip>& strips);
   bool is_separated(const TreeMesh& tree_mesh, const CutQuads& cut_quads);
@@ -116,7 +128,8 @@ class DomainMesher {
   [[nodiscard]] bool is_hopeless(EdgeId acute) const;
   void repeat_splits();
   void separate_cells();
-  void remember(Cell leaf, std::optional<EdgeId> acute = std::nullopt);
+  void separate_undone();
+  void remember(Cell leaf, std::optional<EdgeId> acute, std::vector<Split>& list);
   void check_time();
 
   const Domain& domain_;

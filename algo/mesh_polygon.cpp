@@ -95,7 +95,7 @@ class PolygonMesher {
       const std::vector<bool> cut = acute_vertices();
       const Domain domain = cut_kites(polygon_, result_.root, cut);
       result_.counters.kites = domain.kites.size();
-      Learnt learnt{{}, std::vector<int>(cut.size())};
+      Learnt learnt(cut.size());
       auto made = DomainMesher(domain, inputs_of(cut), sizes_, remaining(), true, learnt,
                                result_.counters, EdgeInsertion::kLemmas)
                       .run();
@@ -110,7 +110,7 @@ class PolygonMesher {
  private:
   bool mesh_in_root(bool is_last) {
     std::vector<bool> cut = sharp_vertices(polygon_);
-    Learnt learnt{{}, std::vector<int>(cut.size())};
+    Learnt learnt(cut.size());
     for (;; ++result_.counters.restarts) {
       const Domain domain = cut_kites(polygon_, result_.root, cut);
       result_.counters.kites = domain.kites.size();
@@ -123,8 +123,7 @@ class PolygonMesher {
         return true;
       }
       for (const std::size_t input : std::get<NeedsKites>(made).inputs) cut[input] = true;
-      std::erase_if(learnt.splits,
-                    [&](const Split& split) { return split.acute && cut[*split.acute]; });
+      learnt.undo([&](const Split& split) { return split.acute && cut[*split.acute]; });
     }
   }
 

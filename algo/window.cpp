@@ -57,24 +57,37 @@ class Window::Marking {
   std::vector<Square> squares_;  ///< a stack
 };
 
-Window::Window(const Quadtree& tree, BlockId known) : parts_(tree.blocks().size()) {
-  // The squares of the parents of the new blocks, with `steps` times their side around them.
+Window::Window(const Quadtree& tree, BlockId known) {
+  std::vector<BlockId> parents;
+  for (BlockId block = known; block < tree.blocks().size(); ++block)
+    parents.push_back(tree.blocks()[block].parent);
+  mark(tree, parents);
+}
+
+Window::Window(const Quadtree& tree, const std::vector<Cell>& cells) {
+  std::vector<BlockId> nodes;
+  for (const Cell cell : cells) nodes.push_back(cell.block);
+  mark(tree, nodes);
+}
+
+void Window::mark(const Quadtree& tree, const std::vector<BlockId>& nodes) {
+  parts_.resize(tree.blocks().size());
+  // The squares of the nodes, with `steps` times their side around them.
   const auto around = [&](std::int64_t steps) {
     std::vector<Square> squares;
     BlockId last = Quadtree::kNone;
-    for (BlockId block = known; block < tree.blocks().size(); ++block) {
-      const BlockId parent = tree.blocks()[block].parent;
-      if (parent == last) continue;
-      last = parent;
-      const LatticePoint corner = tree.blocks()[parent].corner;
+    for (const BlockId node : nodes) {
+      if (node == last) continue;
+      last = node;
+      const LatticePoint corner = tree.blocks()[node].corner;
       const std::int64_t side = std::int64_t{1}
-                                << (tree.root().side_bits - tree.blocks()[parent].level);
+                                << (tree.root().side_bits - tree.blocks()[node].level);
       squares.push_back(
           {{corner.x - steps * side, corner.y - steps * side}, (2 * steps + 1) * side});
     }
     return squares;
   };
-  // The split changed what its parent is stitched to, which is as large as the parent, or smaller:
+  // A split changed what its parent is stitched to, which is as large as the parent, or smaller:
   // one side around it. These in turn are stitched to what is beside them, which may be larger: of
   // a thousand windows in the tests, one misses a quad with three sides around it, none with four.
   Marking(tree, parts_, false).run(around(4));

@@ -23,6 +23,8 @@ class Window {
   Window() = default;
   /// Around what was split since the tree had `known` blocks.
   Window(const Quadtree& tree, BlockId known);
+  /// Around some cells.
+  Window(const Quadtree& tree, const std::vector<Cell>& cells);
 
   [[nodiscard]] bool is_whole() const { return parts_.empty(); }
   [[nodiscard]] bool has(BlockId block) const { return is_whole() || parts_[block] != 0; }
@@ -40,6 +42,7 @@ class Window {
     std::int64_t side;
   };
   class Marking;
+  void mark(const Quadtree& tree, const std::vector<BlockId>& nodes);
   std::vector<std::uint8_t> parts_;  ///< by block: kHas, and the core_bit of each leaf in the core
   std::size_t size_ = 0;
 };

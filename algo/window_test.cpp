@@ -100,6 +100,22 @@ TEST(Window, HasTheQuadsOfTheWholeTreeInItsCoreAndAllThatAreNew) {
   EXPECT_GT(smaller, 100U);
 }
 
+TEST(Window, OfCellsHasTheQuadsOfTheWholeTreeAtThem) {
+  std::mt19937_64 engine(11);
+  Separation separation(place_root(random_points(engine, 200)), Budget{});
+  separation.apply_conditions();
+  separation.refine_five_by_five();
+  const Quadtree& tree = separation.tree();
+  const std::set<PlacedQuad> whole = quads_in(tree, {});
+  for (int round = 0; round < 20; ++round) {
+    const std::vector<Cell> cells{random_leaf(tree, engine), random_leaf(tree, engine)};
+    const Window window(tree, cells);
+    EXPECT_LT(window.size(), tree.blocks().size());
+    for (const Cell cell : cells) EXPECT_TRUE(window.is_core(cell));
+    EXPECT_EQ(in_core(tree, window, quads_in(tree, window)), in_core(tree, window, whole));
+  }
+}
+
 TEST(Window, HoldsTheParentsOfItsNodesAndIsWholeByDefault) {
   std::mt19937_64 engine(7);
   Separation separation(place_root(random_points(engine, 50)), Budget{});

@@ -330,6 +330,10 @@ TEST(Shapes, AttemptsLearnFromEachOther) {
   EXPECT_EQ(growth.counters.rounds, 4U);
   EXPECT_EQ(growth.counters.restarts, 1U);
   EXPECT_EQ(flaw("growth:n=100,seed=3"), "");
+  // With a local round where splits were undone: five before.
+  const auto tour = meshed(polygon_of("two-opt:n=100,seed=1"));
+  EXPECT_EQ(tour.counters.rounds, 4U);
+  EXPECT_EQ(tour.counters.restarts, 1U);
 }
 
 /// A vertex exactly on a corner of the dyadic grid, with an edge of slope one third through it. In
