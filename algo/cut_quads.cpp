@@ -46,7 +46,7 @@ CutQuads::CutQuads(const Domain& domain, const TreeMesh& tree_mesh, const EdgeCe
       where_[tree_mesh_.vertex_of(site)] = Where::kBoundary;
   std::vector<EdgeId>().swap(last_edges_);
   cuts_ = sorted_once(cuts_, is_cut_.size(), [](const Cut& cut) { return cut.quad; });
-  // Those above an edge at quads that it cuts are inside the domain, or beyond another edge.
+  // judge lists all that are above the edge, also those beyond another edge.
   std::erase_if(above_, [this](const Above& a) { return where_[a.vertex] != Where::kInside; });
   above_ = sorted_once(above_, where_.size(), [](const Above& above) { return above.vertex; });
 }

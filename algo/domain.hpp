@@ -28,8 +28,7 @@ struct Kite {
 };
 
 /// Guarantees: 1. vertices.exact(i) is the place of vertex i, exactly. 2. the interior is on the
-/// left of every edge. 3. side, holds, turn, moved_off,
-/// moved_turn, foot are exact.
+/// left of every edge. 3. side, holds, turn, moved_off, moved_turn, foot are exact.
 class Domain {
  public:
   Domain(const RootSquare& root, const Polygon& polygon);
