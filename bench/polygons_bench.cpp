@@ -370,7 +370,7 @@ void add_stages(const std::string& family, std::uint64_t n) {
 void add_all(bool large) {
   for (const char* family : {"regular", "blob"})
     for (const std::uint64_t n : {100U, 1'000U, 10'000U, 100'000U}) add_stages(family, n);
-  add_whole("comb", 1'000);
+  for (const std::uint64_t n : {1'000U, 10'000U}) add_whole("comb", n);
   add_whole(std::string(kLake), 303);
   add_whole("coast", 10'000);
   if (!large) return;
