@@ -2,7 +2,6 @@
 #pragma once
 // Section 3.1: which quads of Q the edges of the domain cut, and which vertices lie inside.
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -36,7 +35,7 @@ struct Above {
 /// Guarantees: 1. cuts are sorted by quad, then edge. 2. where(v) is exact: kInside strictly inside
 /// the domain, kBoundary on an edge or a vertex of it. 3. above(v) are the edges of the paper's
 /// F(v), ascending, for vertices inside.
-/// Complexity: linear in the pairs of an edge and a leaf that meet, the quads and the vertices.
+/// Complexity: linear in the leaves that edges meet and in the vertices, and sorting.
 class CutQuads {
  public:
   /// Requires: edge_cells of the tree and window of tree_mesh.
@@ -45,7 +44,7 @@ class CutQuads {
   [[nodiscard]] const std::vector<Cut>& cuts() const { return cuts_; }
   /// Requires: one of cuts(), and the vertices where they were. Not kept: few cuts are asked for
   /// it.
-  [[nodiscard]] Passage passage(const Cut& cut) const { return *find_passage(cut, sides_of(cut)); }
+  [[nodiscard]] Passage passage(const Cut& cut) const { return *find_passage(cut); }
   /// Gives back the memory of cuts and is_cut, which must not be asked any more.
   void forget_cuts();
   [[nodiscard]] bool is_cut(QuadId quad) const { return is_cut_[quad]; }
@@ -55,25 +54,19 @@ class CutQuads {
   [[nodiscard]] const std::vector<Above>& all_above() const { return above_; }
 
  private:
-  /// Of the corners of a quad with regard to an edge.
-  struct Sides {
-    std::array<bool, 4> above;     ///< exact: on the left of its line
-    std::array<Vector, 4> arm;     ///< from its start
-    std::array<double, 4> height;  ///< times its length; 0 if on its line
-  };
   void mark_leaves(const EdgeCells& edge_cells);
   void look_at_met_leaves(const EdgeCells& edge_cells);
-  void judge_quads_at(std::span<const VertexId> vertices, std::span<const EdgeId> edges);
-  void judge(const Cut& cut);
-  [[nodiscard]] Sides sides_of(const Cut& cut) const;
-  [[nodiscard]] std::optional<Passage> find_passage(const Cut& cut, const Sides& sides) const;
+  void judge_quads_at(std::span<const VertexId> vertices, std::span<const EdgeId> edges,
+                      std::vector<EdgeId>& last_edges);
+  [[nodiscard]] std::optional<Passage> find_passage(const Cut& cut) const;
+  void sort_cuts();
+  void collect_above();
 
   const Domain& domain_;
   const TreeMesh& tree_mesh_;
   std::vector<Cut> cuts_;
   std::vector<bool> is_cut_;
   std::vector<Where> where_;
-  std::vector<EdgeId> last_edges_;  ///< by quad: that it was last judged with
   std::vector<Above> above_;
 };
 
