@@ -62,7 +62,8 @@ def plot(name, points, commits, left, top):
         out.append(line(x, y_of(times["least"]), x, y_of(times["largest"]), BAR, 4))
         out.append(f'<circle cx="{x:.1f}" cy="{y_of(times["median"]):.1f}" r="3" fill="{INK}">'
                    f'<title>{html.escape(commits[index])}: {times["median"]:.0f} ns</title></circle>')
-        out.append(text(x, bottom + 14, commits[index], 9, "middle"))
+        # In two rows: neighbours are closer than a name is wide.
+        out.append(text(x, bottom + 14 + 11 * (index % 2), commits[index], 9, "middle"))
     path = " ".join(f"{x_of[i]:.1f},{y_of(times['median']):.1f}" for i, times in points)
     out.append(f'<polyline points="{path}" fill="none" stroke="{INK}"/>')
     return out
