@@ -66,6 +66,7 @@ Window::Window(const Quadtree& tree, BlockId known) {
 
 Window::Window(const Quadtree& tree, const std::vector<Cell>& cells) {
   std::vector<BlockId> nodes;
+  nodes.reserve(cells.size());
   for (const Cell cell : cells) nodes.push_back(cell.block);
   mark(tree, nodes);
 }
