@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "algo/kites.hpp"
+#include "algo/polygon_samples_for_tests.hpp"
 #include "algo/quadrangulation.hpp"
 #include "algo/separation.hpp"
 #include "algo/tree_mesh.hpp"
@@ -27,7 +27,7 @@ namespace {
 class Sample {
  public:
   explicit Sample(const Polygon& polygon, RootShift shift = {3, 5})
-      : domain_(domain_of(polygon, shift)), separation_(placed_vertices(domain_), {}) {
+      : domain_(non_acute_domain_of(polygon, shift)), separation_(placed_vertices(domain_), {}) {
     separation_.apply_conditions();
     separation_.refine_five_by_five();
   }
@@ -35,11 +35,7 @@ class Sample {
   [[nodiscard]] const Separation& separation() const { return separation_; }
   [[nodiscard]] const Quadtree& tree() const { return separation_.tree(); }
 
-  [[nodiscard]] RationalPoint at(EdgeId vertex) const {
-    const Rational unit = dyadic(1, domain_.root().exponent);
-    const RationalPoint point = domain_.vertices().exact(vertex);
-    return {point.x / unit, point.y / unit};
-  }
+  [[nodiscard]] RationalPoint at(EdgeId vertex) const { return in_units(domain_, vertex); }
   /// Positive on the left of an edge.
   [[nodiscard]] Rational cross(EdgeId e, const RationalPoint& p) const {
     const RationalPoint a = at(e);
@@ -83,33 +79,22 @@ class Sample {
   }
 
  private:
-  static Domain domain_of(const Polygon& polygon, RootShift shift) {
-    std::vector<Point> points;
-    for (const Ring& ring : polygon.rings) points.insert(points.end(), ring.begin(), ring.end());
-    const RootSquare root = place_root(points, shift).root;
-    const Domain whole = cut_kites(polygon, root, std::vector<bool>(points.size()));
-    std::vector<bool> cut;
-    for (EdgeId v = 0; v < whole.size(); ++v) cut.push_back(whole.is_acute(v));
-    return cut_kites(polygon, root, cut);
-  }
-
   Domain domain_;
   Separation separation_;
 };
 
-std::vector<Sample> samples() {
+std::vector<Sample> separated_samples() {
   std::vector<Sample> result;
   result.emplace_back(
       normalised({"through centres", {{{0, -1}, {1, 0}, {1.5, 0}, {0, 1}, {-1, 0}}}}), RootShift{});
-  result.emplace_back(normalised(
-      {"off", {{{1e-7 / 3, -1e-9 / 7}, {1, 0.1}, {0.7, 1e-5 / 3 + 0.9}, {-1e-6 / 9, 0.5}}}}));
+  result.emplace_back(polygon_off_the_lattice());
   for (const char* recipe : {"star:n=8,seed=1,holes=1", "grid-aligned:n=8,seed=3,level=3"})
     result.emplace_back(normalised(generate_polygon(parse_polygon_recipe(recipe))));
   return result;
 }
 
 TEST(EdgeCells, ListEveryEdgeAtTheLeavesThatItMeetsAndTheSidesOfTheOthers) {
-  for (const Sample& sample : samples()) {
+  for (const Sample& sample : separated_samples()) {
     const EdgeCells edge_cells(sample.domain(), sample.tree());
     std::vector<std::vector<EdgeId>> listed(4 * sample.tree().blocks().size());
     edge_cells.for_met([&](Cell leaf, std::span<const EdgeId> edges) {
@@ -133,7 +118,7 @@ TEST(EdgeCells, ListEveryEdgeAtTheLeavesThatItMeetsAndTheSidesOfTheOthers) {
 }
 
 TEST(EdgeCells, AreSeenWithCentresOfNodesOnEdges) {
-  const Sample sample = std::move(samples().front());
+  const Sample sample = std::move(separated_samples().front());
   int on_edge = 0;
   for (BlockId block = 0; block < sample.tree().blocks().size(); ++block) {
     const std::int64_t half = std::int64_t{1} << sample.tree().side_bits({block, kNorthEast});
@@ -146,7 +131,7 @@ TEST(EdgeCells, AreSeenWithCentresOfNodesOnEdges) {
 TEST(EdgeCells, TellWherePointsOfMetLeavesLie) {
   RandomIntegers random(5);
   std::array<int, 4> found{};
-  for (const Sample& sample : samples()) {
+  for (const Sample& sample : separated_samples()) {
     const EdgeCells edge_cells(sample.domain(), sample.tree());
     edge_cells.for_met([&](Cell leaf, std::span<const EdgeId> edges) {
       const int side_bits = sample.tree().side_bits(leaf);
@@ -181,7 +166,7 @@ PlacedQuad placed(const Quad& quad, const At& at) {
 
 TEST(TreeMesh, LeavesOutNothingButQuadsOutsideAndKeepsTheOrder) {
   std::size_t left_out = 0;
-  for (const Sample& sample : samples()) {
+  for (const Sample& sample : separated_samples()) {
     const Quadtree& tree = sample.tree();
     const EdgeCells edge_cells(sample.domain(), tree);
     Counters counters;

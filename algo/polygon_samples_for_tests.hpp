@@ -26,8 +26,8 @@ inline Domain domain_of(const Polygon& polygon, RootShift shift = {3, 5}) {
 }
 
 /// With a kite at every acute vertex.
-inline Domain non_acute_domain_of(const Polygon& polygon) {
-  const Domain whole = domain_of(polygon);
+inline Domain non_acute_domain_of(const Polygon& polygon, RootShift shift = {3, 5}) {
+  const Domain whole = domain_of(polygon, shift);
   std::vector<bool> cut;
   for (EdgeId v = 0; v < whole.size(); ++v) cut.push_back(whole.is_acute(v));
   return cut_kites(polygon, whole.root(), cut);

@@ -31,6 +31,13 @@ std::vector<Point> random_points(std::mt19937_64& engine, std::size_t count) {
   return points;
 }
 
+Separation separated(std::mt19937_64& engine, std::size_t points) {
+  Separation separation(place_root(random_points(engine, points)), Budget{});
+  separation.apply_conditions();
+  separation.refine_five_by_five();
+  return separation;
+}
+
 Cell random_leaf(const Quadtree& tree, std::mt19937_64& engine) {
   for (;;) {
     const Cell cell{static_cast<BlockId>(engine() % tree.blocks().size()),
@@ -75,10 +82,7 @@ TEST(Window, HasTheQuadsOfTheWholeTreeInItsCoreAndAllThatAreNew) {
   std::size_t smaller = 0;
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     std::mt19937_64 engine(seed);
-    const PlacedPoints placed = place_root(random_points(engine, 3 + seed));
-    Separation separation(placed, Budget{});
-    separation.apply_conditions();
-    separation.refine_five_by_five();
+    Separation separation = separated(engine, 3 + seed);
     const Quadtree& tree = separation.tree();
     for (int round = 0; round < 5; ++round) {
       const auto known = static_cast<BlockId>(tree.blocks().size());
@@ -102,9 +106,7 @@ TEST(Window, HasTheQuadsOfTheWholeTreeInItsCoreAndAllThatAreNew) {
 
 TEST(Window, OfCellsHasTheQuadsOfTheWholeTreeAtThem) {
   std::mt19937_64 engine(11);
-  Separation separation(place_root(random_points(engine, 200)), Budget{});
-  separation.apply_conditions();
-  separation.refine_five_by_five();
+  Separation separation = separated(engine, 200);
   const Quadtree& tree = separation.tree();
   const std::set<PlacedQuad> whole = quads_in(tree, {});
   for (int round = 0; round < 20; ++round) {
@@ -118,9 +120,7 @@ TEST(Window, OfCellsHasTheQuadsOfTheWholeTreeAtThem) {
 
 TEST(Window, HoldsTheParentsOfItsNodesAndIsWholeByDefault) {
   std::mt19937_64 engine(7);
-  Separation separation(place_root(random_points(engine, 50)), Budget{});
-  separation.apply_conditions();
-  separation.refine_five_by_five();
+  Separation separation = separated(engine, 50);
   const Quadtree& tree = separation.tree();
   const auto known = static_cast<BlockId>(tree.blocks().size());
   EXPECT_TRUE(Window().is_whole() && Window().has(0) && Window().is_core({known - 1, kNorthWest}));
