@@ -3,9 +3,19 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 namespace quadbound {
+namespace {
+
+/// In lattice units. The number of a foot is rounded to the lattice, by 1 / sqrt(2) along the edge
+/// at most: from 3 units above it, which is what is left of these after rounding, that turns what
+/// should be the perpendicular by 13.3 degrees at most.
+constexpr double kLeastHeight = 4;
+
+}  // namespace
 
 CutQuads::CutQuads(const Domain& domain, const TreeMesh& tree_mesh, const EdgeCells& edge_cells)
     : domain_(domain),
@@ -69,27 +79,41 @@ void CutQuads::sort_cuts() {
   cuts_.erase(std::unique(cuts_.begin(), cuts_.end(), same), cuts_.end());
 }
 
-std::optional<Passage> CutQuads::find_passage(const Cut& cut) const {
-  const EdgeId edge = cut.edge;
-  const Quad& q = tree_mesh_.mesh().quads[cut.quad];
-  const FinePoint& start = domain_.at(edge);
+/// Whether the perpendicular from a point has its foot on the edge.
+bool CutQuads::is_over(EdgeId edge, Vector arm) const {
   const Vector d = domain_.direction(edge);
+  const double along = dot(d, arm);
+  return 0 <= along && along <= dot(d, d);
+}
+
+CutQuads::Sight CutQuads::sight(EdgeId edge, VertexId vertex) const {
+  const bool is_site = tree_mesh_.is_site(vertex);
+  const EdgeId site = tree_mesh_.site_near(vertex);
+  const LatticePoint at = tree_mesh_.at(vertex);
+  const Vector d = domain_.direction(edge);
+  const Vector arm = (is_site ? domain_.at(site) : on_lattice(at)) - domain_.at(edge);
+  const double rise = cross(d, arm);
+  if (!Domain::is_certain(rise, d, arm)) {
+    const int side = is_site ? domain_.side(edge, site) : domain_.side(edge, at);
+    if (side == 0 || (side > 0 && !is_site && domain_.height(edge, at) < kLeastHeight))
+      return {arm, 0};
+    return {arm, side * std::max(std::abs(rise), std::numeric_limits<double>::min())};
+  }
+  const double least = kLeastHeight * (std::abs(d.x) + std::abs(d.y));
+  return {arm, 0 < rise && rise < least && !is_site ? 0 : rise};
+}
+
+std::optional<Passage> CutQuads::find_passage(const Cut& cut) const {
+  const Quad& q = tree_mesh_.mesh().quads[cut.quad];
+  const Vector d = domain_.direction(cut.edge);
   std::array<bool, 4> above{};
   std::array<Vector, 4> arm{};
   std::array<double, 4> h{};
   for (unsigned k = 0; k < 4; ++k) {
-    const bool is_site = tree_mesh_.is_site(q[k]);
-    const EdgeId site = tree_mesh_.site_near(q[k]);
-    const LatticePoint at = tree_mesh_.at(q[k]);
-    arm[k] = (is_site ? domain_.at(site) : on_lattice(at)) - start;
-    h[k] = cross(d, arm[k]);
-    if (!Domain::is_certain(h[k], d, arm[k])) {
-      const int side = is_site ? domain_.side(edge, site) : domain_.side(edge, at);
-      if (side == 0) h[k] = 0;
-      above[k] = side > 0;
-    } else {
-      above[k] = h[k] > 0;
-    }
+    const Sight seen = sight(cut.edge, q[k]);
+    arm[k] = seen.arm;
+    h[k] = seen.rise;
+    above[k] = h[k] > 0;
   }
   if (above[0] == above[1] && above[1] == above[2] && above[2] == above[3]) return std::nullopt;
   const double square = dot(d, d);
@@ -121,7 +145,12 @@ void CutQuads::collect_above() {
   for (const Cut& cut : cuts_) {
     for (const VertexId v : tree_mesh_.mesh().quads[cut.quad]) {
       if (where_[v] != Where::kInside) continue;
-      if (domain_.side(cut.edge, tree_mesh_.at(v)) > 0) above_.push_back({v, cut.edge});
+      const Sight seen = sight(cut.edge, v);
+      if (seen.rise > 0) {
+        above_.push_back({v, cut.edge});
+      } else if (seen.rise == 0 && is_over(cut.edge, seen.arm)) {
+        where_[v] = Where::kBoundary;
+      }
     }
   }
   const auto key = [](const Above& above) {
@@ -130,6 +159,7 @@ void CutQuads::collect_above() {
   std::sort(above_.begin(), above_.end(),
             [&](const Above& a, const Above& b) { return key(a) < key(b); });
   above_.erase(std::unique(above_.begin(), above_.end()), above_.end());
+  std::erase_if(above_, [this](const Above& a) { return where_[a.vertex] != Where::kInside; });
 }
 
 std::span<const Above> CutQuads::above(VertexId vertex) const {

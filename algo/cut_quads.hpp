@@ -32,9 +32,12 @@ struct Above {
   friend auto operator<=>(const Above&, const Above&) = default;
 };
 
-/// Guarantees: 1. cuts are sorted by quad, then edge. 2. where(v) is exact: kInside strictly inside
-/// the domain, kBoundary on an edge or a vertex of it. 3. above(v) are the edges of the paper's
-/// F(v), ascending, for vertices inside.
+/// A vertex of Q less than four lattice units above an edge, where no foot could be perpendicular
+/// below it, counts as on the edge.
+///
+/// Guarantees: 1. cuts are sorted by quad, then edge. 2. where(v) is exact but for that: kInside
+/// strictly inside the domain, kBoundary on an edge or a vertex of it. 3. above(v) are the edges of
+/// the paper's F(v), ascending, for vertices inside.
 /// Complexity: linear in the leaves that edges meet and in the vertices, and sorting.
 class CutQuads {
  public:
@@ -58,6 +61,14 @@ class CutQuads {
   void look_at_met_leaves(const EdgeCells& edge_cells);
   void judge_quads_at(std::span<const VertexId> vertices, std::span<const EdgeId> edges,
                       std::vector<EdgeId>& last_edges);
+  /// A vertex of Q from the start of an edge, and its cross product with the direction of the edge:
+  /// the sign is right, and 0 on the line or so near to it that this counts as on it.
+  struct Sight {
+    Vector arm;
+    double rise;
+  };
+  [[nodiscard]] Sight sight(EdgeId edge, VertexId vertex) const;
+  [[nodiscard]] bool is_over(EdgeId edge, Vector arm) const;
   [[nodiscard]] std::optional<Passage> find_passage(const Cut& cut) const;
   void sort_cuts();
   void collect_above();

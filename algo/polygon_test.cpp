@@ -239,6 +239,26 @@ TEST(CutQuads, EdgesAlongSidesAndThroughVerticesOfQuads) {
   EXPECT_GT(inside, 4U);
 }
 
+/// Guarantee 2: a rectangle with one side a few lattice units below a row of centres.
+TEST(CutQuads, VerticesLessThanFourUnitsAboveAnEdgeCountAsOnIt) {
+  const RootSquare root{{0, 0}, 20, 0};
+  constexpr std::int64_t kRow = (1 << 18) + (1 << 16);  // of leaves with sides of 2^17
+  for (std::int64_t units = 0; units < 8; ++units) {
+    const auto low = static_cast<double>(kRow - units);
+    const Polygon polygon{"rectangle", {{{3e5, low}, {7e5, low}, {7e5, 7e5}, {3e5, 7e5}}}};
+    const Stage stage{Domain(root, polygon)};
+    std::uint64_t seen = 0;
+    for (VertexId v = 0; v < stage.tree_mesh().mesh().vertices.size(); ++v) {
+      const LatticePoint at = stage.tree_mesh().at(v);
+      if (at.y != kRow || at.x <= 300000 || at.x >= 700000 || stage.tree_mesh().is_site(v)) continue;
+      ++seen;
+      EXPECT_EQ(stage.cut_quads().where(v), units < 4 ? Where::kBoundary : Where::kInside);
+      EXPECT_EQ(stage.cut_quads().above(v).empty(), units < 4);
+    }
+    EXPECT_GT(seen, 0U) << units;
+  }
+}
+
 TEST(KeptQuads, AlphasCloseWithKOnTheirLeftAndThereIsOneForEachRing) {
   for (const Polygon& polygon : samples()) {
     Stage stage(non_acute_domain_of(polygon));

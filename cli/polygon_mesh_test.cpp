@@ -347,6 +347,17 @@ TEST(Shapes, DeadEndOnTheDyadicGrid) {
   EXPECT_EQ(meshed(polygon).counters.other_roots, 0U);
 }
 
+/// An edge with 45 degrees, one lattice unit below centres at every level: their feet, rounded to
+/// the lattice, are not below them.
+TEST(Departures, VerticesOnAnEdgeButForRounding) {
+  const Polygon polygon = normalised(read_polygon(std::string(QUADBOUND_PAPER_CASES) +
+                                                  "/edge-one-unit-below-centres.geojson"));
+  EXPECT_EQ(flaw(polygon), "");
+  const PolygonCounters counters = meshed(polygon).counters;
+  EXPECT_EQ(counters.other_roots, 0U);
+  EXPECT_EQ(counters.dead_end_splits, 0U);
+}
+
 // --- where the polygon is, and how large
 // ----------------------------------------------------------
 
