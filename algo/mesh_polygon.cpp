@@ -89,6 +89,16 @@ class PolygonMesher {
     }
   }
 
+  PolygonMeshResult run_in(const RootSquare& root) {
+    try {
+      result_.root = root;
+      mesh_in_root(true);
+      return std::move(result_);
+    } catch (const TreeBudgetExceeded& exceeded) {
+      return refusal(exceeded);
+    }
+  }
+
   LemmaMeshResult run_by_lemmas() {
     try {
       result_.root = place_root(points_, kRootShifts.front()).root;
@@ -108,6 +118,7 @@ class PolygonMesher {
   }
 
  private:
+  /// Whether it is meshed; otherwise another root square is asked for.
   bool mesh_in_root(bool is_last) {
     std::vector<bool> cut = sharp_vertices(polygon_);
     Learnt learnt(cut.size());
@@ -200,6 +211,11 @@ class PolygonMesher {
 
 PolygonMeshResult mesh_polygon(const Polygon& polygon, const PolygonMeshOptions& options) {
   return PolygonMesher(polygon, options).run();
+}
+
+PolygonMeshResult mesh_polygon_in(const RootSquare& root, const Polygon& polygon,
+                                  const PolygonMeshOptions& options) {
+  return PolygonMesher(polygon, options).run_in(root);
 }
 
 LemmaMeshResult mesh_polygon_by_lemmas(const Polygon& polygon, const PolygonMeshOptions& options) {

@@ -47,7 +47,13 @@ using LemmaMeshResult = std::variant<PolygonMesh, Refusal, NoCase>;
 /// Complexity: linear in the cells of all rounds and their vertices, O(n log n) in the polygon.
 PolygonMeshResult mesh_polygon(const Polygon& polygon, const PolygonMeshOptions& options = {});
 
-/// The same by the paper's own constructions: kites at all acute vertices, Lemmas 11 and 12 by
+/// The same in a root square of the caller's, and no other: for those who look for places of
+/// vertices in their cells that the insertion finds no way at.
+/// Requires: the square holds all vertices, each a twelfth of its side inside.
+PolygonMeshResult mesh_polygon_in(const RootSquare& root, const Polygon& polygon,
+                                  const PolygonMeshOptions& options = {});
+
+/// mesh_polygon by the paper's own constructions: kites at all acute vertices, Lemmas 11 and 12 by
 /// their cases, Section 4 as written (EdgeInsertion::kLemmas). For comparison.
 ///
 /// Guarantees: 1. as above but for 2.: the judge says which meshes keep the bounds, and

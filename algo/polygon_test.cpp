@@ -250,7 +250,8 @@ TEST(CutQuads, VerticesLessThanFourUnitsAboveAnEdgeCountAsOnIt) {
     std::uint64_t seen = 0;
     for (VertexId v = 0; v < stage.tree_mesh().mesh().vertices.size(); ++v) {
       const LatticePoint at = stage.tree_mesh().at(v);
-      if (at.y != kRow || at.x <= 300000 || at.x >= 700000 || stage.tree_mesh().is_site(v)) continue;
+      if (at.y != kRow || at.x <= 300000 || at.x >= 700000 || stage.tree_mesh().is_site(v))
+        continue;
       ++seen;
       EXPECT_EQ(stage.cut_quads().where(v), units < 4 ? Where::kBoundary : Where::kInside);
       EXPECT_EQ(stage.cut_quads().above(v).empty(), units < 4);

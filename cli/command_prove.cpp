@@ -9,6 +9,7 @@
 #include "cli/progress.hpp"
 #include "model/read_polygon.hpp"
 #include "model/validate.hpp"
+#include "paper/corner_places.hpp"
 #include "paper/insertion_comparison.hpp"
 #include "paper/lemma_claims.hpp"
 #include "paper/lemma_report.hpp"
@@ -21,11 +22,13 @@ struct ProveCommand {
   std::string theorem;
   std::uint64_t trees = 500;
   std::uint64_t seeds = 5;
+  std::uint64_t corners = 200;
   std::vector<std::string> files;
 };
 
 constexpr const char* kLemmas = "lemmas";
 constexpr const char* kInsertion = "insertion";
+constexpr const char* kCorners = "corners";
 
 /// Shows the census on the progress line.
 class CensusWatcher final : public Watcher {
@@ -62,7 +65,17 @@ ExitStatus compare(const ProveCommand& options) {
   return kGood;
 }
 
+ExitStatus look_for_dead_ends(const ProveCommand& options) {
+  const CornerPlaces places = [&options] {
+    CensusWatcher watcher;
+    return search_corner_places(options.corners, watcher);
+  }();
+  fmt::print("{}", to_text(places));
+  return places.hold() ? kGood : kClaimFailed;
+}
+
 ExitStatus prove(const ProveCommand& options) {
+  if (options.theorem == kCorners) return look_for_dead_ends(options);
   if (options.theorem == kInsertion) return compare(options);
   if (options.theorem == kLemmas) return audit(options);
   const Theorem1Table table = [&options] {
@@ -91,13 +104,20 @@ void add_prove_command(CLI::App& app, Outcome& outcome) {
       "to hold was broken, or a counterexample is none.\n"
       "insertion: how many polygons of all families, or of files, the paper's own constructions "
       "(Lemmas 11\n"
-      "and 12 by their cases, Section 4 as written) mesh within the bounds, against ours.\n\n"
+      "and 12 by their cases, Section 4 as written) mesh within the bounds, against ours.\n"
+      "corners: single corners with the same place in their cells at every level, where a dead end "
+      "of "
+      "our\n"
+      "search would come back for ever. Status 1 if one is not meshed, or its mesh not proved.\n\n"
       "Examples:\n  quadbound prove theorem-1\n  quadbound prove lemmas --trees 100000\n"
-      "  quadbound prove insertion --seeds 20\n  quadbound prove insertion plate.geojson");
-  command->add_option("THEOREM", options->theorem, "theorem-1, lemmas or insertion")
+      "  quadbound prove insertion --seeds 20\n  quadbound prove insertion plate.geojson\n"
+      "  quadbound prove corners --corners 20000");
+  command->add_option("THEOREM", options->theorem, "theorem-1, lemmas, insertion or corners")
       ->required()
-      ->check(CLI::IsMember({"theorem-1", kLemmas, kInsertion}));
+      ->check(CLI::IsMember({"theorem-1", kLemmas, kInsertion, kCorners}));
   command->add_option("FILES", options->files, "polygons of insertion, instead of random ones");
+  command->add_option("--corners", options->corners, "of corners: how many at each of 36 places")
+      ->capture_default_str();
   command->add_option("--seeds", options->seeds, "of insertion: polygons of each family and size")
       ->capture_default_str();
   command

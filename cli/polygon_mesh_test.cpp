@@ -338,20 +338,34 @@ TEST(Shapes, AttemptsLearnFromEachOther) {
 
 /// A vertex exactly on a corner of the dyadic grid, with an edge of slope one third through it. In
 /// a root square with dyadic corners the vertex is on a corner of the cells of every level and the
-/// edges nearly repeat what the cells around it see of them: the strip had no pieces at any level.
-/// The root square is therefore shifted off the dyadic numbers.
+/// edges nearly repeat what the cells around it see of them: an earlier search had no pieces there
+/// at any level.
 TEST(Shapes, DeadEndOnTheDyadicGrid) {
   const Polygon polygon = normalised(
       read_polygon(std::string(QUADBOUND_PAPER_CASES) + "/dead-end-slope-one-third.geojson"));
   EXPECT_EQ(flaw(polygon), "");
   EXPECT_EQ(meshed(polygon).counters.other_roots, 0U);
+  const RootSquare dyadic = place_root(polygon.rings.front()).root;
+  EXPECT_EQ(std::get<PolygonMesh>(mesh_polygon_in(dyadic, polygon)).counters.dead_end_splits, 0U);
+}
+
+TEST(Shapes, AGivenRootSquareIsTaken) {
+  const Polygon polygon = polygon_of("star:n=12,seed=1,holes=1");
+  const PolygonMesh ours = meshed(polygon);
+  const auto same = std::get<PolygonMesh>(mesh_polygon_in(ours.root, polygon));
+  EXPECT_EQ(json_text(same.mesh), json_text(ours.mesh));
+  RootSquare moved = ours.root;
+  moved.corner.x -= std::int64_t{1} << (moved.side_bits - 7);
+  const auto other = std::get<PolygonMesh>(mesh_polygon_in(moved, polygon));
+  EXPECT_NE(json_text(other.mesh), json_text(ours.mesh));
+  EXPECT_TRUE(verify_polygon(polygon, other.mesh).holds());
 }
 
 /// An edge with 45 degrees, one lattice unit below centres at every level: their feet, rounded to
 /// the lattice, are not below them.
 TEST(Departures, VerticesOnAnEdgeButForRounding) {
-  const Polygon polygon = normalised(read_polygon(std::string(QUADBOUND_PAPER_CASES) +
-                                                  "/edge-one-unit-below-centres.geojson"));
+  const Polygon polygon = normalised(
+      read_polygon(std::string(QUADBOUND_PAPER_CASES) + "/edge-one-unit-below-centres.geojson"));
   EXPECT_EQ(flaw(polygon), "");
   const PolygonCounters counters = meshed(polygon).counters;
   EXPECT_EQ(counters.other_roots, 0U);
