@@ -99,8 +99,9 @@ CutQuads::Sight CutQuads::sight(EdgeId edge, VertexId vertex) const {
       return {arm, 0};
     return {arm, side * std::max(std::abs(rise), std::numeric_limits<double>::min())};
   }
-  const double least = kLeastHeight * (std::abs(d.x) + std::abs(d.y));
-  return {arm, 0 < rise && rise < least && !is_site ? 0 : rise};
+  // The 1-norm is no less than the length, which costs a root.
+  const bool may_be_on_it = 0 < rise && rise < kLeastHeight * (std::abs(d.x) + std::abs(d.y));
+  return {arm, may_be_on_it && rise < kLeastHeight * length(d) && !is_site ? 0 : rise};
 }
 
 std::optional<Passage> CutQuads::find_passage(const Cut& cut) const {

@@ -221,21 +221,13 @@ std::optional<ClippedEdge> clipped(const Domain& domain, EdgeId edge, const Fine
   return ClippedEdge{a + from * d, a + to * d};
 }
 
-double distance(Vector point, const ClippedEdge& edge) {
-  const Vector d = edge.end - edge.start;
-  const double t = std::clamp(dot(point - edge.start, d) / dot(d, d), 0.0, 1.0);
-  return length(point - edge.start - t * d);
-}
-
 bool on_left(const ClippedEdge& edge, const ClippedEdge& of) {
   const Vector middle = 0.5 * (of.start + of.end);
   return cross(edge.end - edge.start, middle - edge.start) > 0;
 }
 
-bool too_close(const ClippedEdge& e, const ClippedEdge& f, double limit) {
-  if (!on_left(e, f) || !on_left(f, e)) return false;
-  return std::min({distance(e.start, f), distance(e.end, f), distance(f.start, e),
-                   distance(f.end, e)}) < limit;
+bool interior_between(const ClippedEdge& e, const ClippedEdge& f) {
+  return on_left(e, f) && on_left(f, e);
 }
 
 bool is_too_large(const Domain& domain, const Quadtree& tree, Cell leaf,
@@ -249,8 +241,7 @@ bool is_too_large(const Domain& domain, const Quadtree& tree, Cell leaf,
     const auto part = clipped(domain, e, middle, side / 2);
     if (!part) continue;
     for (const auto& [f, other] : inside)
-      if (domain.next(e) != f && domain.next(f) != e && too_close(*part, other, side / 4))
-        return true;
+      if (domain.next(e) != f && domain.next(f) != e && interior_between(*part, other)) return true;
     inside.emplace_back(e, *part);
   }
   return false;

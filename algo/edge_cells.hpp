@@ -69,12 +69,12 @@ void for_leaves_with_edges(const Domain& domain, const Quadtree& tree,
                            const std::vector<EdgeId>& edges,
                            const std::function<void(Cell, std::span<const EdgeId>)>& visit);
 
-/// Leaves that no quadrangulation can separate two edges in: both run through the leaf, the inside
-/// between them, and come closer to each other than a quarter of its side there. To be split before
-/// there is a quadrangulation, which costs far more to make; what this leaves to
-/// separation_faults is the last levels.
+/// Leaves that two edges without a common vertex both run through, the inside between them. Where
+/// the leaves around such a leaf are as large, it is always at fault: either its centre is above
+/// both edges, or both cut the same one of the four quads there. To be split before there is a
+/// quadrangulation, which costs far more to make.
 ///
-/// Guarantees: 1. edges with a common vertex are not looked at. 2. each leaf of the window once.
+/// Guarantees: 1. each leaf of the window once, in the order of for_met.
 std::vector<Cell> leaves_too_large(const Domain& domain, const Quadtree& tree,
                                    const EdgeCells& edge_cells);
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -198,6 +199,70 @@ TEST(TreeMesh, LeavesOutNothingButQuadsOutsideAndKeepsTheOrder) {
     EXPECT_EQ(next, made.mesh().quads.size());
   }
   EXPECT_GT(left_out, 20U);
+}
+
+/// The part of an edge in a leaf, as parameters; nullopt where that is no more than a point.
+std::optional<std::pair<Rational, Rational>> part_in(const Sample& sample, EdgeId e, Cell leaf) {
+  const RationalPoint a = sample.at(e);
+  const RationalPoint b = sample.at(sample.domain().next(e));
+  const LatticePoint low = sample.tree().corner(leaf);
+  const std::int64_t side = std::int64_t{1} << sample.tree().side_bits(leaf);
+  Rational from = 0;
+  Rational to = 1;
+  const auto clip = [&](const Rational& start, const Rational& slope, std::int64_t corner) {
+    if (slope == 0) {
+      if (start < corner || start > corner + side) to = from;
+      return;
+    }
+    const Rational t = (corner - start) / slope;
+    const Rational u = (corner + side - start) / slope;
+    from = std::max(from, std::min(t, u));
+    to = std::min(to, std::max(t, u));
+  };
+  clip(a.x, b.x - a.x, low.x);
+  clip(a.y, b.y - a.y, low.y);
+  if (from >= to) return std::nullopt;
+  return std::pair{from, to};
+}
+
+/// Whether the middle of the part of f in a leaf is on the left of e.
+bool on_left(const Sample& sample, EdgeId e, EdgeId f, const std::pair<Rational, Rational>& part) {
+  const RationalPoint a = sample.at(f);
+  const RationalPoint b = sample.at(sample.domain().next(f));
+  const Rational t = (part.first + part.second) / 2;
+  return sample.cross(e, {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)}) > 0;
+}
+
+bool is_too_large(const Sample& sample, Cell leaf) {
+  const Domain& domain = sample.domain();
+  for (EdgeId e = 0; e < domain.size(); ++e) {
+    const auto part = part_in(sample, e, leaf);
+    if (!part) continue;
+    for (EdgeId f = 0; f < e; ++f) {
+      if (domain.next(e) == f || domain.next(f) == e) continue;
+      const auto other = part_in(sample, f, leaf);
+      if (other && on_left(sample, e, f, *other) && on_left(sample, f, e, *part)) return true;
+    }
+  }
+  return false;
+}
+
+TEST(LeavesTooLarge, AreThoseThatTwoEdgesRunThroughWithTheInsideBetween) {
+  std::size_t count = 0;
+  for (const char* recipe : {"comb:n=24", "needle:n=20,seed=1", "spiral-band:n=24"}) {
+    const Sample sample(normalised(generate_polygon(parse_polygon_recipe(recipe))));
+    const EdgeCells edge_cells(sample.domain(), sample.tree());
+    const std::vector<Cell> found = leaves_too_large(sample.domain(), sample.tree(), edge_cells);
+    count += found.size();
+    for (BlockId block = 0; block < sample.tree().blocks().size(); ++block) {
+      for (const Quadrant q : kQuadrants) {
+        const Cell leaf{block, q};
+        if (!sample.tree().is_leaf(leaf)) continue;
+        EXPECT_EQ(std::count(found.begin(), found.end(), leaf), is_too_large(sample, leaf) ? 1 : 0);
+      }
+    }
+  }
+  EXPECT_GT(count, 0U);
 }
 
 }  // namespace

@@ -57,12 +57,18 @@ class Build:
         return own if own in self.commands else SOURCES / UNIT_OF_HEADER[file]
 
 
-def mutated_program(build, mutant, folder):
-    """Compiles and links; the path of the program."""
+def source_of(mutant):
+    """The text of its file. Ends the program where the piece to replace is not there once."""
     source = (SOURCES / mutant["file"]).read_text()
     if source.count(mutant["from"]) != 1:
         raise SystemExit(f"{mutant['id']}: its piece is {source.count(mutant['from'])} times in "
                          f"{mutant['file']}, not once")
+    return source
+
+
+def mutated_program(build, mutant, folder):
+    """Compiles and links; the path of the program."""
+    source = source_of(mutant)
     copy = folder / mutant["file"]
     copy.parent.mkdir(parents=True)
     copy.write_text(source.replace(mutant["from"], mutant["to"]))
@@ -193,6 +199,8 @@ def main():
     unknown = [name for name in ids if name not in mutants]
     if unknown:
         raise SystemExit(f"no mutant {unknown[0]}; there are: {' '.join(mutants)}")
+    for mutant in mutants.values():  # also those that are not tried now: so that none goes stale
+        source_of(mutant)
     build = Build(options.build)
     rows, survivors = [], []
     for name in ids:
