@@ -27,7 +27,7 @@ constexpr int kSideBits = 54;
 constexpr int kExponent = 4 - kSideBits;
 constexpr double kReach = 4;
 
-/// Splits that always come back end in less: 50 levels of some 100 cells each.
+/// Far more than a corner takes. Dead ends that come back end sooner: at the depth of the lattice.
 constexpr std::uint64_t kMaxCells = 300'000;
 
 constexpr double kSmallestAngle = 1;  // degree
