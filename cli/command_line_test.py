@@ -673,6 +673,32 @@ class FuzzPolygons(CommandLineTest):
         self.assertIn("quadbound: kite tip was never reached", done.stderr_text)
 
 
+class Prove(CommandLineTest):
+    def test_theorem_1_is_proved_without_trees(self):
+        self.assertIn("proved for all of them", self.run_it("prove", "theorem-1", "--trees", 0).stdout_text)
+
+    def test_lemmas_have_a_verdict_each(self):
+        text = self.run_it("prove", "lemmas", "--trees", 2).stdout_text
+        self.assertLessEqual({f"lemma-{k}" for k in range(2, 13)}, set(re.findall(r"lemma-\d+", text)))
+
+    def test_insertion_of_a_file(self):
+        ring = [[0, 0], [4, 0], [4, 4], [0, 4], [0, 0]]
+        self.file("square.geojson", json.dumps({"type": "Polygon", "coordinates": [ring]}))
+        text = self.run_it("prove", "insertion", "square.geojson").stdout_text
+        self.assertIn("| square.geojson | 1 | 1 |", text)
+
+    def test_corners(self):
+        text = self.run_it("prove", "corners", "--corners", 1).stdout_text
+        self.assertRegex(text, r"\| all \|  \| 36 \| \d+ \| \d+ \| \d+ \| 0 \| 0 \|\n")
+        self.assertIn("The hardest: place (", text)
+
+    def test_options_of_another_theorem_are_refused(self):
+        for arguments in (("corners", "--trees", 5), ("theorem-1", "--corners", 5),
+                          ("lemmas", "--seeds", 1), ("corners", "square.geojson")):
+            self.assertIn("does nothing with " + arguments[0], self.one_line("prove", *arguments))
+        self.one_line("prove", "theorem-99")
+
+
 class Reproduce(CommandLineTest):
     def test_sizes_that_are_given_win_over_full(self):
         self.run_it("reproduce", "--max-n", 100, "--full", "--trees", 20, "--audits", 100,

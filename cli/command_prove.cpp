@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
@@ -26,6 +27,7 @@ struct ProveCommand {
   std::vector<std::string> files;
 };
 
+constexpr const char* kTheorem1 = "theorem-1";
 constexpr const char* kLemmas = "lemmas";
 constexpr const char* kInsertion = "insertion";
 constexpr const char* kCorners = "corners";
@@ -74,6 +76,19 @@ ExitStatus look_for_dead_ends(const ProveCommand& options) {
   return places.hold() ? kGood : kClaimFailed;
 }
 
+/// An option that would do nothing is an error.
+void refuse_options_of_others(const CLI::App& command, const std::string& theorem) {
+  const auto belongs_to = [&](const char* option, const std::vector<std::string>& theorems) {
+    if (command.count(option) > 0 &&
+        std::find(theorems.begin(), theorems.end(), theorem) == theorems.end())
+      throw CLI::ValidationError(option, "does nothing with " + theorem);
+  };
+  belongs_to("--trees", {kTheorem1, kLemmas});
+  belongs_to("--seeds", {kInsertion});
+  belongs_to("FILES", {kInsertion});
+  belongs_to("--corners", {kCorners});
+}
+
 ExitStatus prove(const ProveCommand& options) {
   if (options.theorem == kCorners) return look_for_dead_ends(options);
   if (options.theorem == kInsertion) return compare(options);
@@ -105,16 +120,15 @@ void add_prove_command(CLI::App& app, Outcome& outcome) {
       "insertion: how many polygons of all families, or of files, the paper's own constructions "
       "(Lemmas 11\n"
       "and 12 by their cases, Section 4 as written) mesh within the bounds, against ours.\n"
-      "corners: single corners with the same place in their cells at every level, where a dead end "
-      "of "
-      "our\n"
-      "search would come back for ever. Status 1 if one is not meshed, or its mesh not proved.\n\n"
+      "corners: single corners with the same place in their cells at every level, where a dead\n"
+      "end of our search would come back for ever. Status 1 if one is not meshed, or its mesh not\n"
+      "proved.\n\n"
       "Examples:\n  quadbound prove theorem-1\n  quadbound prove lemmas --trees 100000\n"
       "  quadbound prove insertion --seeds 20\n  quadbound prove insertion plate.geojson\n"
       "  quadbound prove corners --corners 20000");
   command->add_option("THEOREM", options->theorem, "theorem-1, lemmas, insertion or corners")
       ->required()
-      ->check(CLI::IsMember({"theorem-1", kLemmas, kInsertion, kCorners}));
+      ->check(CLI::IsMember({kTheorem1, kLemmas, kInsertion, kCorners}));
   command->add_option("FILES", options->files, "polygons of insertion, instead of random ones");
   command->add_option("--corners", options->corners, "of corners: how many at each of 36 places")
       ->capture_default_str();
@@ -124,7 +138,10 @@ void add_prove_command(CLI::App& app, Outcome& outcome) {
       ->add_option("--trees", options->trees,
                    "random trees of the census or the audit; 0 for the proof alone")
       ->capture_default_str();
-  command->callback([options, &outcome] { outcome.status = prove(*options); });
+  command->callback([command, options, &outcome] {
+    refuse_options_of_others(*command, options->theorem);
+    outcome.status = prove(*options);
+  });
 }
 
 }  // namespace quadbound::cli
