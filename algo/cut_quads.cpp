@@ -86,19 +86,25 @@ bool CutQuads::is_over(EdgeId edge, Vector arm) const {
   return 0 <= along && along <= dot(d, d);
 }
 
-CutQuads::Sight CutQuads::sight(EdgeId edge, VertexId vertex) const {
+/// The rise where its rounded value is in doubt.
+double CutQuads::exact_rise(EdgeId edge, VertexId vertex, double rounded) const {
   const bool is_site = tree_mesh_.is_site(vertex);
-  const EdgeId site = tree_mesh_.site_near(vertex);
   const LatticePoint at = tree_mesh_.at(vertex);
+  const int side =
+      is_site ? domain_.side(edge, tree_mesh_.site_near(vertex)) : domain_.side(edge, at);
+  if (side == 0 || (side > 0 && !is_site && domain_.height(edge, at) < kLeastHeight)) return 0;
+  return side * std::max(std::abs(rounded), std::numeric_limits<double>::min());
+}
+
+/// Inline: a fifth of the time of CutQuads would go into the calls.
+[[gnu::always_inline]] inline CutQuads::Sight CutQuads::sight(EdgeId edge, VertexId vertex) const {
+  const bool is_site = tree_mesh_.is_site(vertex);
   const Vector d = domain_.direction(edge);
-  const Vector arm = (is_site ? domain_.at(site) : on_lattice(at)) - domain_.at(edge);
+  const Vector arm =
+      (is_site ? domain_.at(tree_mesh_.site_near(vertex)) : on_lattice(tree_mesh_.at(vertex))) -
+      domain_.at(edge);
   const double rise = cross(d, arm);
-  if (!Domain::is_certain(rise, d, arm)) {
-    const int side = is_site ? domain_.side(edge, site) : domain_.side(edge, at);
-    if (side == 0 || (side > 0 && !is_site && domain_.height(edge, at) < kLeastHeight))
-      return {arm, 0};
-    return {arm, side * std::max(std::abs(rise), std::numeric_limits<double>::min())};
-  }
+  if (!Domain::is_certain(rise, d, arm)) return {arm, exact_rise(edge, vertex, rise)};
   // The 1-norm is no less than the length, which costs a root.
   const bool may_be_on_it = 0 < rise && rise < kLeastHeight * (std::abs(d.x) + std::abs(d.y));
   return {arm, may_be_on_it && rise < kLeastHeight * length(d) && !is_site ? 0 : rise};

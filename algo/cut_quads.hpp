@@ -68,6 +68,7 @@ class CutQuads {
     double rise;
   };
   [[nodiscard]] Sight sight(EdgeId edge, VertexId vertex) const;
+  [[nodiscard]] double exact_rise(EdgeId edge, VertexId vertex, double rounded) const;
   [[nodiscard]] bool is_over(EdgeId edge, Vector arm) const;
   [[nodiscard]] std::optional<Passage> find_passage(const Cut& cut) const;
   void sort_cuts();
