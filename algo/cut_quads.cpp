@@ -10,9 +10,10 @@
 namespace quadbound {
 namespace {
 
-/// In lattice units. The number of a foot is rounded to the lattice, by 1 / sqrt(2) along the edge
-/// at most: from 3 units above it, which is what is left of these after rounding, that turns what
-/// should be the perpendicular by 13.3 degrees at most.
+/// In lattice units; where a rise is far from certain its rounding makes 3 to 5 of them. The number
+/// of a foot is rounded to the lattice, by 1 / sqrt(2) along the edge at most: from 3 units above
+/// it, which is what is left of these after rounding, that turns what should be the perpendicular
+/// by 13.3 degrees at most.
 constexpr double kLeastHeight = 4;
 
 }  // namespace
@@ -96,7 +97,7 @@ double CutQuads::exact_rise(EdgeId edge, VertexId vertex, double rounded) const 
   return side * std::max(std::abs(rounded), std::numeric_limits<double>::min());
 }
 
-/// Inline: a fifth of the time of CutQuads would go into the calls.
+/// Inline: a tenth of the instructions of CutQuads would go into the calls.
 [[gnu::always_inline]] inline CutQuads::Sight CutQuads::sight(EdgeId edge, VertexId vertex) const {
   const bool is_site = tree_mesh_.is_site(vertex);
   const Vector d = domain_.direction(edge);

@@ -33,7 +33,7 @@ struct Above {
 };
 
 /// A vertex of Q less than four lattice units above an edge, where no foot could be perpendicular
-/// below it, counts as on the edge.
+/// below it, counts as on the edge; on edges so long that rounding tells, three to five units.
 ///
 /// Guarantees: 1. cuts are sorted by quad, then edge. 2. where(v) is exact but for that: kInside
 /// strictly inside the domain, kBoundary on an edge or a vertex of it. 3. above(v) are the edges of

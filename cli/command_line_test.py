@@ -675,11 +675,13 @@ class FuzzPolygons(CommandLineTest):
 
 class Prove(CommandLineTest):
     def test_theorem_1_is_proved_without_trees(self):
-        self.assertIn("proved for all of them", self.run_it("prove", "theorem-1", "--trees", 0).stdout_text)
+        text = self.run_it("prove", "theorem-1", "--trees", 0).stdout_text
+        self.assertIn("proved for all of them", text)
 
     def test_lemmas_have_a_verdict_each(self):
         text = self.run_it("prove", "lemmas", "--trees", 2).stdout_text
-        self.assertLessEqual({f"lemma-{k}" for k in range(2, 13)}, set(re.findall(r"lemma-\d+", text)))
+        self.assertLessEqual({f"lemma-{k}" for k in range(2, 13)},
+                             set(re.findall(r"lemma-\d+", text)))
 
     def test_insertion_of_a_file(self):
         ring = [[0, 0], [4, 0], [4, 4], [0, 4], [0, 0]]
