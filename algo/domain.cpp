@@ -163,6 +163,13 @@ double Domain::height(EdgeId e, LatticePoint point) const {
 }
 
 bool Domain::is_acute(EdgeId vertex) const {
+  const Vector out = direction(vertex);
+  const Vector back = at(previous_[vertex]) - at(vertex);
+  // The dot product is a cross product with a turned vector.
+  if (is_certain(dot(out, back), turned_left(out), back)) {
+    if (dot(out, back) < 0) return false;
+    if (is_certain(cross(out, back), out, back)) return cross(out, back) > 0;
+  }
   const RationalPoint at = in_units(vertex);
   const RationalPoint n = in_units(next_[vertex]);
   const RationalPoint p = in_units(previous_[vertex]);

@@ -23,6 +23,11 @@ constexpr int kPatience = 3;
 /// repeats from level to level, so does the dead end.
 constexpr int kDeadRounds = 10;
 
+/// Of the nodes of a tree, one in so many: with more splits the window around them is large, and
+/// the whole is looked at again. (On Lake Superior, one in 9, it has two thirds of the tree; on a
+/// coast of 10,000 vertices, one in 31, an eighth.)
+constexpr std::size_t kManySplits = 16;
+
 /// The vertex that two edges share, if it is acute.
 std::optional<EdgeId> acute_between(const Domain& domain, EdgeId e, EdgeId f) {
   if (domain.next(e) == f && domain.is_acute(f)) return f;
@@ -51,7 +56,8 @@ DomainMesher::DomainMesher(const Domain& domain, const InputVertices& inputs,
       is_last_root_(is_last_root),
       learnt_(learnt),
       counters_(counters),
-      insertion_(insertion) {}
+      insertion_(insertion),
+      suspects_(std::exchange(learnt.suspects, {})) {}
 
 DomainMesher::Outcome DomainMesher::run() {
   try {
@@ -67,9 +73,9 @@ DomainMesher::Outcome DomainMesher::run_rounds() {
   separation_.refine_five_by_five();
   counters_.cells_before = separation_.tree().leaf_count();
   repeat_splits();
-  separate_cells();
-  separate_undone();
+  split_and_separate();
   if (!hopeless_.empty()) return NeedsKites{hopeless_};
+  separate_cells();
   for (;;) {
     ++counters_.rounds;
     counters_.quadtree = {};
@@ -83,29 +89,33 @@ DomainMesher::Outcome DomainMesher::run_rounds() {
   }
 }
 
-/// Splits what a round asked for, and goes on around that until the edges are separated there, but
-/// for those at hopeless vertices: the more of these are found, the fewer attempts are given up.
+/// Splits what a round asked for, and goes on around that and the suspects until the edges are
+/// separated there, but for those at hopeless vertices: the more of these are found, the fewer
+/// attempts are given up.
 void DomainMesher::split_and_separate() {
-  while (!to_split_.empty()) {
+  while (!to_split_.empty() || !suspects_.empty()) {
     const std::optional<Window> window = split();
     if (!window) return;
     local_round(*window);
   }
 }
 
-/// The window around the splits; nullopt where it is large.
+/// The window around the splits and the suspects; nullopt where it is large, no smaller than half
+/// of the tree, which may as well be looked at as a whole.
 std::optional<Window> DomainMesher::split() {
-  const auto known = static_cast<BlockId>(separation_.tree().blocks().size());
+  const Quadtree& tree = separation_.tree();
+  const auto known = static_cast<BlockId>(tree.blocks().size());
+  if (!to_split_.empty()) edge_cells_.reset();
   separation_.refine(to_split_);
   to_split_.clear();
-  Window window(separation_.tree(), known);
-  if (is_large(window)) return std::nullopt;
+  std::vector<Cell> leaves;
+  for (const LatticePoint place : suspects_) leaves.push_back(tree.leaf_at(place));
+  suspects_.clear();
+  const std::size_t half = tree.blocks().size() / 2;
+  if (tree.blocks().size() - known > half) return std::nullopt;
+  Window window(tree, known, leaves);
+  if (window.size() > half) return std::nullopt;
   return window;
-}
-
-/// No smaller than half of the tree, which may as well be looked at as a whole.
-bool DomainMesher::is_large(const Window& window) const {
-  return 2 * window.size() > separation_.tree().blocks().size();
 }
 
 void DomainMesher::local_round(const Window& window) {
@@ -115,13 +125,25 @@ void DomainMesher::local_round(const Window& window) {
   const EdgeCells edge_cells(domain_, separation_.tree(), window);
   const TreeMesh tree_mesh(domain_, separation_, edge_cells, uncounted, window);
   const CutQuads cut_quads(domain_, tree_mesh, edge_cells);
-  if (is_separated(tree_mesh, cut_quads))
-    split_around(tree_mesh, keep_quads(tree_mesh, cut_quads).pinched);
+  const bool separated = is_separated(tree_mesh, cut_quads);
+  split_pinched(tree_mesh, pinched_vertices(tree_mesh, cut_quads), separated);
+}
+
+/// While the edges are not separated, which may pinch K, it is looked at again.
+void DomainMesher::split_pinched(const TreeMesh& tree_mesh, const std::vector<VertexId>& pinched,
+                                 bool separated) {
+  for (const VertexId v : pinched) {
+    learnt_.suspects.push_back(tree_mesh.at(v));
+    if (!to_split_.empty()) suspects_.push_back(tree_mesh.at(v));
+  }
+  if (!separated) return;
+  for (const VertexId v : pinched) split_around(tree_mesh, {v});
 }
 
 void DomainMesher::repeat_splits() {
+  LeafFinder leaves(separation_.tree());
   for (const Split& split : learnt_.splits) {
-    const Cell leaf = separation_.tree().leaf_at(split.corner);
+    const Cell leaf = leaves.leaf_at(split.corner);
     if (separation_.tree().side_bits(leaf) == split.side_bits) separation_.refine({leaf});
   }
 }
@@ -135,28 +157,12 @@ void DomainMesher::separate_cells() {
     const std::vector<Cell> large = leaves_too_large(domain_, separation_.tree(), *edge_cells_);
     if (large.empty()) break;
     counters_.separation_splits += large.size();
-    for (const Cell leaf : large) remember(leaf, std::nullopt, learnt_.splits);
+    for (const Cell leaf : large) remember(leaf, std::nullopt);
     const auto known = static_cast<BlockId>(separation_.tree().blocks().size());
     separation_.refine(large);
     window = Window(separation_.tree(), known);
   }
   if (!window.is_whole()) edge_cells_.reset();
-}
-
-/// The attempt before this one was separated but for what it left to new kites: this is looked at
-/// before the whole.
-void DomainMesher::separate_undone() {
-  if (learnt_.undone.empty()) return;
-  std::vector<Cell> leaves;
-  for (const Split& split : learnt_.undone)
-    leaves.push_back(separation_.tree().leaf_at(split.corner));
-  learnt_.undone.clear();
-  const Window window(separation_.tree(), leaves);
-  if (is_large(window)) return;
-  local_round(window);
-  if (to_split_.empty()) return;
-  edge_cells_.reset();
-  split_and_separate();
 }
 
 std::optional<DomainMesh> DomainMesher::round() {
@@ -180,11 +186,16 @@ std::optional<DomainMesh> DomainMesher::round() {
 bool DomainMesher::find_strips(TreeMesh& tree_mesh, KeptQuads& kept, std::vector<Strip>& strips) {
   CutQuads cut_quads(domain_, tree_mesh, *edge_cells_);
   edge_cells_.reset();
-  if (!is_separated(tree_mesh, cut_quads) || !is_fine_enough(tree_mesh, cut_quads)) return false;
+  if (!is_separated(tree_mesh, cut_quads)) {
+    if (kManySplits * to_split_.size() < separation_.tree().blocks().size())
+      split_pinched(tree_mesh, pinched_vertices(tree_mesh, cut_quads), false);
+    return false;
+  }
+  if (!is_fine_enough(tree_mesh, cut_quads)) return false;
   kept = keep_quads(tree_mesh, cut_quads);
   check_time();
   if (!kept.pinched.empty()) {
-    split_around(tree_mesh, kept.pinched);
+    split_pinched(tree_mesh, kept.pinched, true);
     return false;
   }
   if (!has_one_alpha_for_each_ring(tree_mesh, cut_quads, kept)) return false;
@@ -206,12 +217,16 @@ bool DomainMesher::is_separated(const TreeMesh& tree_mesh, const CutQuads& cut_q
   for (const SeparationFault& fault : faults) {
     const auto acute = acute_between(domain_, fault.edge, fault.other);
     const bool hopeless = acute && is_hopeless(*acute);
-    remember(fault.split, acute, hopeless ? learnt_.undone : learnt_.splits);
-    if (!hopeless) to_split_.push_back(fault.split);
+    if (hopeless) {
+      learnt_.suspects.push_back(separation_.tree().corner(fault.split));
+    } else {
+      remember(fault.split, acute);
+      to_split_.push_back(fault.split);
+    }
   }
   for (const Cell leaf : leaves_along_gaps(domain_, separation_.tree(), faults)) {
     to_split_.push_back(leaf);
-    remember(leaf, std::nullopt, learnt_.splits);
+    remember(leaf, std::nullopt);
   }
   counters_.separation_splits += to_split_.size();
   return false;
@@ -401,9 +416,10 @@ void DomainMesher::split_around(const TreeMesh& tree_mesh, const std::vector<Ver
   }
 }
 
-void DomainMesher::remember(Cell leaf, std::optional<EdgeId> acute, std::vector<Split>& list) {
+void DomainMesher::remember(Cell leaf, std::optional<EdgeId> acute) {
   const Quadtree& tree = separation_.tree();
-  list.push_back({tree.corner(leaf), tree.side_bits(leaf), acute ? inputs_[*acute] : std::nullopt});
+  learnt_.splits.push_back(
+      {tree.corner(leaf), tree.side_bits(leaf), acute ? inputs_[*acute] : std::nullopt});
 }
 
 void DomainMesher::check_time() { deadline_.check_now(domain_.root().corner, 0); }

@@ -3,9 +3,7 @@
 // Sections 3 and 4 on one domain and one root square: rounds of separation and insertion on a tree
 // that grows until both succeed.
 
-#include <algorithm>
 #include <cstdint>
-#include <iterator>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -65,13 +63,15 @@ struct Learnt {
   /// Splits for which `condition` holds are undone.
   template <class Condition>
   void undo(const Condition& condition) {
-    std::copy_if(splits.begin(), splits.end(), std::back_inserter(undone), condition);
+    for (const Split& split : splits)
+      if (condition(split)) suspects.push_back(split.corner);
     std::erase_if(splits, condition);
   }
 
   std::vector<Split> splits;  ///< that separated edges, in order
-  std::vector<Split> undone;  ///< not made again, or not at all, as the acute vertex gets a kite
-  std::vector<int> trouble;   ///< by vertex of the input: rounds in which it was blamed
+  /// Where the tree was at fault, and such splits do not tell: places to look at before the whole.
+  std::vector<LatticePoint> suspects;
+  std::vector<int> trouble;  ///< by vertex of the input: rounds in which it was blamed
 };
 
 /// By vertex of a domain the vertex of the input, where it is one.
@@ -105,7 +105,6 @@ class DomainMesher {
   std::optional<DomainMesh> round();
   void split_and_separate();
   std::optional<Window> split();
-  [[nodiscard]] bool is_large(const Window& window) const;
   void local_round(const Window& window);
   bool find_strips(TreeMesh& tree_mesh, KeptQuads& kept, std::vector<Strip>& strips);
   bool is_separated(const TreeMesh& tree_mesh, const CutQuads& cut_quads);
@@ -122,14 +121,15 @@ class DomainMesher {
   bool insert_lemmas(TreeMesh& tree_mesh, const CutQuads& cut_quads, KeptQuads& kept,
                      std::vector<Strip>& strips);
   bool fill(DomainMesh& made, const TreeMesh& tree_mesh);
+  void split_pinched(const TreeMesh& tree_mesh, const std::vector<VertexId>& pinched,
+                     bool separated);
   void split_around(const TreeMesh& tree_mesh, const std::vector<VertexId>& vertices);
   void blame_acute(const TreeMesh& tree_mesh, const CutQuads& cut_quads, VertexId vertex);
   void lose_patience();
   [[nodiscard]] bool is_hopeless(EdgeId acute) const;
   void repeat_splits();
   void separate_cells();
-  void separate_undone();
-  void remember(Cell leaf, std::optional<EdgeId> acute, std::vector<Split>& list);
+  void remember(Cell leaf, std::optional<EdgeId> acute);
   void check_time();
 
   const Domain& domain_;
@@ -145,6 +145,7 @@ class DomainMesher {
   /// Of the whole tree as it is, while they are needed.
   std::optional<EdgeCells> edge_cells_;
   std::vector<Cell> to_split_;
+  std::vector<LatticePoint> suspects_;  ///< of this attempt, not looked at yet
   std::vector<AlignedCentre> aligned_;
   int dead_rounds_ = 0;
   std::vector<EdgeId> troubled_;       ///< acute vertices, this round

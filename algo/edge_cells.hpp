@@ -70,9 +70,9 @@ void for_leaves_with_edges(const Domain& domain, const Quadtree& tree,
                            const std::function<void(Cell, std::span<const EdgeId>)>& visit);
 
 /// Leaves that two edges without a common vertex both run through, the inside between them. Where
-/// the leaves around such a leaf are as large, and it holds no vertex, it is always at fault: either
-/// its centre is above both edges, or both cut the same one of the four quads there. To be split
-/// before there is a quadrangulation, which costs far more to make.
+/// the leaves around such a leaf are as large, and it holds no vertex, it is always at fault:
+/// either its centre is above both edges, or both cut the same one of the four quads there. To be
+/// split before there is a quadrangulation, which costs far more to make.
 ///
 /// Guarantees: 1. each leaf of the window once, in the order of for_met.
 std::vector<Cell> leaves_too_large(const Domain& domain, const Quadtree& tree,

@@ -2,6 +2,7 @@
 #include "algo/edge_separation.hpp"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <span>
 #include <tuple>
@@ -92,14 +93,19 @@ class FaultFinder {
 
   /// An edge that must not run below this vertex, and one that it is too close to.
   [[nodiscard]] std::optional<EdgePair> too_close_at(std::span<const Above> edges) {
-    const Cell leaf = leaf_of(edges.front().vertex);
+    const VertexId vertex = edges.front().vertex;
     bool in_some_grid = false;
     std::optional<EdgePair> pair;
-    tree_mesh_.for_grids_with(leaf, [&](EdgeId site) {
+    const auto look = [&](EdgeId site) {
       in_some_grid = true;
       for (const Above& above : edges)
         if (above.edge != site && above.edge != domain_.previous(site)) pair = {above.edge, site};
-    });
+    };
+    if (tree_mesh_.is_centre(vertex)) {
+      tree_mesh_.for_grids_at(vertex, look);
+    } else {
+      tree_mesh_.for_grids_with(leaf_of(vertex), look);
+    }
     if (!in_some_grid && edges.size() > 1) pair = {edges.front().edge, edges.back().edge};
     return pair;
   }
@@ -169,6 +175,11 @@ double width_at(const Domain& domain, const Quadtree& tree, Cell leaf, EdgeId ed
   return distance_to_edge(domain, edge, centre) + distance_to_edge(domain, other, centre);
 }
 
+/// Of two for the same pair of edges.
+bool is_finer(const Gap& a, const Gap& b) {
+  return a.side_bits != b.side_bits ? a.side_bits < b.side_bits : a.width > b.width;
+}
+
 /// Sorted by edge, each gap listed for both of its edges.
 std::vector<Gap> gaps_of(const Domain& domain, const Quadtree& tree,
                          const std::vector<SeparationFault>& faults) {
@@ -178,12 +189,19 @@ std::vector<Gap> gaps_of(const Domain& domain, const Quadtree& tree,
     if (e == f || domain.next(e) == f || domain.next(f) == e) continue;
     const int side_bits = tree.side_bits(fault.split);
     const double width = width_at(domain, tree, fault.split, e, f);
-    gaps.push_back({e, f, side_bits, width});
-    gaps.push_back({f, e, side_bits, width});
+    // Most faults are of the same gap as the one before.
+    const bool same = !gaps.empty() && gaps.back().edge == f && gaps.back().other == e;
+    const std::array<Gap, 2> gap{{{e, f, side_bits, width}, {f, e, side_bits, width}}};
+    if (!same) {
+      gaps.insert(gaps.end(), gap.begin(), gap.end());
+    } else if (is_finer(gap[1], gaps.back())) {
+      std::copy(gap.begin(), gap.end(), gaps.end() - 2);
+    }
   }
   std::sort(gaps.begin(), gaps.end(), [](const Gap& a, const Gap& b) {
-    return std::tie(a.edge, a.other, a.side_bits, b.width) <
-           std::tie(b.edge, b.other, b.side_bits, a.width);
+    if (a.edge != b.edge || a.other != b.other)
+      return std::tie(a.edge, a.other) < std::tie(b.edge, b.other);
+    return is_finer(a, b);
   });
   const auto same = [](const Gap& a, const Gap& b) {
     return a.edge == b.edge && a.other == b.other;

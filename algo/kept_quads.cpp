@@ -41,23 +41,39 @@ std::vector<std::pair<VertexId, VertexId>> boundary_of(const TreeMesh& tree_mesh
   return edges;
 }
 
-}  // namespace
-
-KeptQuads keep_quads(const TreeMesh& tree_mesh, const CutQuads& cut_quads) {
+std::vector<bool> kept_of(const TreeMesh& tree_mesh, const CutQuads& cut_quads) {
   const std::vector<Quad>& quads = tree_mesh.mesh().quads;
-  KeptQuads result;
-  result.is_kept.resize(quads.size());
+  std::vector<bool> is_kept(quads.size());
   const auto inside = [&](VertexId v) { return cut_quads.where(v) == Where::kInside; };
   for (QuadId quad = 0; quad < quads.size(); ++quad)
-    result.is_kept[quad] =
+    is_kept[quad] =
         !cut_quads.is_cut(quad) && std::all_of(quads[quad].begin(), quads[quad].end(), inside);
+  return is_kept;
+}
 
+/// Where two edges of the boundary begin.
+std::vector<VertexId> pinched_of(const TreeMesh& tree_mesh,
+                                 const std::vector<std::pair<VertexId, VertexId>>& boundary) {
+  std::vector<VertexId> pinched;
+  for (std::size_t i = 1; i < boundary.size(); ++i)
+    if (boundary[i].first == boundary[i - 1].first &&
+        tree_mesh.window().is_core(tree_mesh.leaf_of(boundary[i].first)))
+      pinched.push_back(boundary[i].first);
+  return pinched;
+}
+
+}  // namespace
+
+std::vector<VertexId> pinched_vertices(const TreeMesh& tree_mesh, const CutQuads& cut_quads) {
+  return pinched_of(tree_mesh, boundary_of(tree_mesh, cut_quads, kept_of(tree_mesh, cut_quads)));
+}
+
+KeptQuads keep_quads(const TreeMesh& tree_mesh, const CutQuads& cut_quads) {
+  KeptQuads result;
+  result.is_kept = kept_of(tree_mesh, cut_quads);
   const auto edges = boundary_of(tree_mesh, cut_quads, result.is_kept);
-  for (std::size_t i = 1; i < edges.size(); ++i)
-    if (edges[i].first == edges[i - 1].first &&
-        tree_mesh.window().is_core(tree_mesh.leaf_of(edges[i].first)))
-      result.pinched.push_back(edges[i].first);
-  if (!result.pinched.empty() || !tree_mesh.window().is_whole()) return result;
+  result.pinched = pinched_of(tree_mesh, edges);
+  if (!result.pinched.empty()) return result;
 
   std::vector<bool> done(edges.size());
   for (std::size_t first = 0; first < edges.size(); ++first) {

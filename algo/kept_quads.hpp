@@ -16,12 +16,15 @@ namespace quadbound {
 struct KeptQuads {
   std::vector<bool> is_kept;                  ///< by quad
   std::vector<std::vector<VertexId>> alphas;  ///< empty where the boundary of K is broken
-  /// Vertices where the boundary of K meets itself: leaves there are to be split.
-  std::vector<VertexId> pinched;
+  std::vector<VertexId> pinched;              ///< see pinched_vertices
 };
 
-/// K: the quads that no edge cuts and whose vertices all lie strictly inside the domain. In a
-/// window there are no chains, and pinched are those in its core. Complexity: linear.
+/// K: the quads that no edge cuts and whose vertices all lie strictly inside the domain.
+/// Requires: the window is whole. Complexity: linear.
 KeptQuads keep_quads(const TreeMesh& tree_mesh, const CutQuads& cut_quads);
+
+/// Vertices where the boundary of K meets itself, in the core of the window: leaves there are to be
+/// split. Complexity: linear.
+std::vector<VertexId> pinched_vertices(const TreeMesh& tree_mesh, const CutQuads& cut_quads);
 
 }  // namespace quadbound

@@ -127,6 +127,25 @@ TEST(TreeMesh, ListsTheQuadsOfEveryVertexAndPlacesTheSites) {
   }
 }
 
+TEST(TreeMesh, TellsCentresFromExtraPointsAndWhoseTheseAre) {
+  std::size_t halves = 0;
+  for (const Polygon& polygon : samples()) {
+    const Stage stage(domain_of(polygon));
+    const TreeMesh& tree_mesh = stage.tree_mesh();
+    std::set<VertexId> centres;
+    tree_mesh.for_centres([&](Cell, VertexId centre) { centres.insert(centre); });
+    for (VertexId v = 0; v < tree_mesh.mesh().vertices.size(); ++v)
+      EXPECT_EQ(tree_mesh.is_centre(v), centres.contains(v)) << v;
+    EXPECT_TRUE(std::ranges::is_sorted(tree_mesh.halves_extras()));
+    EXPECT_EQ(tree_mesh.halves_extras().size(),
+              tree_mesh.mesh().vertices.size() - tree_mesh.vertices_of_leaves());
+    for (const auto& [centre, extra] : tree_mesh.halves_extras())
+      EXPECT_EQ(tree_mesh.centre(tree_mesh.leaf_of(extra)), centre);
+    halves += tree_mesh.halves_extras().size();
+  }
+  EXPECT_GT(halves, 0U);
+}
+
 /// The part of an edge's line within a quad that is not all on its right: parameters, 0 at the
 /// start of the edge.
 std::optional<std::pair<Rational, Rational>> part_within(const Stage& stage, const Quad& quad,

@@ -103,11 +103,13 @@ class VertexNumbering {
     if (which == Template::kT4) return;
     ++counters_.extras_made;
     if (is_there && tree_.fate(node, q) != ExtraFate::kDropped)
-      vertices_.add(extra_at(centre, side, q, tree_.fate(node, q)));
+      add_extra(extra_at(centre, side, q, tree_.fate(node, q)));
     if (which != Template::kT1 && which != Template::kT2b) return;
     ++counters_.extras_made;
-    if (is_there) vertices_.add(extra_at(centre, side, opposite(q), ExtraFate::kKept));
+    if (is_there) add_extra(extra_at(centre, side, opposite(q), ExtraFate::kKept));
   }
+
+  void add_extra(LatticePoint at) { tree_.mark_extra(vertices_.add(at)); }
 
   /// Half of the way from the centre to a corner; reflected across the cell's side if mirrored.
   static LatticePoint extra_at(LatticePoint centre, std::int64_t side, Quadrant corner,
@@ -126,7 +128,7 @@ class VertexNumbering {
 /// Second walk: emits the quads.
 class QuadEmitter {
  public:
-  QuadEmitter(const TemplateTree& tree, const RootSquare& root, Mesh& mesh, Counters& counters)
+  QuadEmitter(TemplateTree& tree, const RootSquare& root, Mesh& mesh, Counters& counters)
       : tree_(tree), root_(root), mesh_(mesh), counters_(counters) {}
 
   static void on_template(Template /*which*/) {}
@@ -148,8 +150,10 @@ class QuadEmitter {
     if (centre(leaf) == TemplateTree::kLeftOut) return TemplateTree::kLeftOut;
     const LatticePoint at = mesh_.vertices.lattice(centre(leaf));
     const std::int64_t quarter = std::int64_t{1} << (root_.side_bits - leaf.level - 2);
-    return mesh_.vertices.add({at.x + (is_east(corner) ? quarter : -quarter),
-                               at.y + (is_north(corner) ? quarter : -quarter)});
+    const VertexId extra = mesh_.vertices.add({at.x + (is_east(corner) ? quarter : -quarter),
+                                               at.y + (is_north(corner) ? quarter : -quarter)});
+    tree_.add_halves_extra(centre(leaf), extra);
+    return extra;
   }
 
   /// The paper's variant of 2,2: half of the way to the vertex beyond, which is one cell away.
@@ -174,7 +178,7 @@ class QuadEmitter {
   }
 
  private:
-  const TemplateTree& tree_;
+  TemplateTree& tree_;
   RootSquare root_;
   Mesh& mesh_;
   Counters& counters_;
@@ -204,7 +208,9 @@ Mesh quadrangulate(TemplateTree& tree, const RootSquare& root, TwoTwoVariant var
   mesh.vertices = Vertices(root.exponent);
   mesh.cells = tree.leaf_count();
   mesh.construction_names.assign(kConstructionNames.begin(), kConstructionNames.end());
-  mesh.vertices.reserve(vertex_count(tree, planner, counters));
+  const std::uint64_t most_vertices = vertex_count(tree, planner, counters);
+  tree.set_most_vertices(most_vertices);
+  mesh.vertices.reserve(most_vertices);
   mesh.quads.reserve(planner.quads());
   mesh.construction.reserve(planner.quads());
   mesh.level.reserve(planner.quads());
@@ -213,6 +219,7 @@ Mesh quadrangulate(TemplateTree& tree, const RootSquare& root, TwoTwoVariant var
 
   QuadEmitter emitter(tree, root, mesh, counters);
   TemplateWalk<QuadEmitter>(tree, variant, emitter).run();
+  tree.sort_halves_extras();
   return mesh;
 }
 

@@ -170,7 +170,7 @@ class Quadtree {
 /// Complexity: of a step, linear in the levels up to a node that has both points, and down.
 class LeafFinder {
  public:
-  /// Requires: the tree outlives it, and stays as it is.
+  /// Requires: the tree outlives it; it may grow.
   explicit LeafFinder(const Quadtree& tree) : tree_(tree) {}
   [[nodiscard]] Cell leaf_at(LatticePoint point);
 

@@ -138,10 +138,10 @@ std::optional<Hexagon> mesh_hexagon(const FinePoint& x, const FinePoint& v, cons
   const Vector va = on_lattice(a) - v;
   const Vector vb = on_lattice(b) - v;
   const Vector vc = on_lattice(c) - v;
-  // Corners that are the same wherever s lies.
-  if (!(std::min({corner_slack(-1.0 * vx, va - vx), corner_slack(vc - vy, -1.0 * vy),
-                  corner_slack(va - vb, vc - vb)}) > kSmallestSlack))
-    return std::nullopt;
+  // That of the corners that are the same wherever s lies.
+  const double most = std::min({corner_slack(-1.0 * vx, va - vx), corner_slack(vc - vy, -1.0 * vy),
+                                corner_slack(va - vb, vc - vb)});
+  if (!(most > kSmallestSlack)) return std::nullopt;
   // Exact where it is more than `least`.
   const auto slack_at = [&](Vector s, double least) {
     double slack = quad_slack({vx, Vector{}, s, va});
@@ -156,7 +156,7 @@ std::optional<Hexagon> mesh_hexagon(const FinePoint& x, const FinePoint& v, cons
     Vector here = part * vb;
     double slack = slack_at(here, -1);
     // Halve the step while no neighbour is better; 2^-12 of |vb| is finer than the slack is worth.
-    for (double step = length(vb) / 8; step > length(vb) * 0x1p-12;) {
+    for (double step = length(vb) / 8; step > length(vb) * 0x1p-12 && slack < most;) {
       bool better = false;
       for (const Vector d :
            {Vector{step, 0}, Vector{-step, 0}, Vector{0, step}, Vector{0, -step}}) {
@@ -172,6 +172,7 @@ std::optional<Hexagon> mesh_hexagon(const FinePoint& x, const FinePoint& v, cons
       best = slack;
       at = here;
     }
+    if (best >= most) break;
   }
   if (best <= kSmallestSlack) return std::nullopt;
   const LatticePoint s = nearest_lattice_point(v, at);

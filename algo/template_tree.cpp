@@ -29,6 +29,8 @@ void TemplateTree::forget() {
   std::vector<std::array<std::uint32_t, 4>>().swap(children_);
   std::vector<std::uint8_t>().swap(fates_);
   std::vector<NodeId>().swap(node_of_block_);
+  std::vector<bool>().swap(is_extra_);
+  std::vector<std::pair<VertexId, VertexId>>().swap(halves_extras_);
 }
 
 void TemplateTree::set_fate(NodeId node, Quadrant q, ExtraFate fate) {

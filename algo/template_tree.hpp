@@ -3,8 +3,10 @@
 // The finished quadtree as Section 2.2 reads it: nodes in depth-first order, leaves numbered by the
 // mesh vertices at their centres, and what becomes of each leaf's outer extra point.
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "algo/construction.hpp"
@@ -95,6 +97,21 @@ class TemplateTree {
   /// All vertices but the last ones, the extra points of the case 2,2.
   [[nodiscard]] VertexId vertices_of_leaves() const { return vertices_of_leaves_; }
   void set_vertices_of_leaves(VertexId count) { vertices_of_leaves_ = count; }
+  /// Whether a vertex is the centre of a leaf.
+  [[nodiscard]] bool is_centre(VertexId vertex) const { return !is_extra_[vertex]; }
+  /// Before any is marked: of all vertices, at most.
+  void set_most_vertices(std::size_t count) { is_extra_.assign(count, false); }
+  void mark_extra(VertexId vertex) { is_extra_[vertex] = true; }
+
+  /// The extra points of the case 2,2, with the centre of their leaf before them.
+  [[nodiscard]] const std::vector<std::pair<VertexId, VertexId>>& halves_extras() const {
+    return halves_extras_;
+  }
+  void add_halves_extra(VertexId centre, VertexId extra) {
+    halves_extras_.emplace_back(centre, extra);
+    mark_extra(extra);
+  }
+  void sort_halves_extras() { std::sort(halves_extras_.begin(), halves_extras_.end()); }
 
  private:
   // Instead of a centre, as long as there is none.
@@ -106,7 +123,9 @@ class TemplateTree {
   std::vector<std::array<std::uint32_t, 4>> children_;
   std::vector<std::uint8_t> fates_;  ///< two bits per child
   std::vector<NodeId> node_of_block_;
+  std::vector<bool> is_extra_;  ///< by vertex
   VertexId vertices_of_leaves_ = 0;
+  std::vector<std::pair<VertexId, VertexId>> halves_extras_;
   bool leaves_out_ = false;
 };
 

@@ -26,11 +26,6 @@ TreeMesh::TreeMesh(const Domain& domain, const Separation& separation, const Edg
       cell_of_(separation.cell_of_point()) {
   leave_out_outside(edge_cells);
   mesh_ = quadrangulate(template_tree_, tree_.root(), TwoTwoVariant::kExact, counters);
-  const auto count = static_cast<VertexId>(mesh_.vertices.size());
-  LeafFinder leaves(tree_);  // their order is depth first
-  for (VertexId v = template_tree_.vertices_of_leaves(); v < count; ++v)
-    halves_extras_.emplace_back(centre(leaves.leaf_at(at(v))), v);
-  std::sort(halves_extras_.begin(), halves_extras_.end());
   place_sites(domain);
   link_quads();
 }
@@ -114,7 +109,6 @@ void TreeMesh::forget_links() {
   release(quads_at_);
   release(grid_of_);
   release(other_grids_);
-  release(halves_extras_);
   template_tree_.forget();
 }
 
@@ -134,10 +128,9 @@ void TreeMesh::append_vertices_of(Cell leaf, std::vector<VertexId>& vertices) co
   const VertexId first = template_tree_.centre(node, leaf.quadrant);
   const VertexId count = vertices_of_leaf(node, leaf.quadrant);
   for (VertexId v = first; v < first + count; ++v) vertices.push_back(v);
-  auto extra =
-      std::lower_bound(halves_extras_.begin(), halves_extras_.end(), std::pair{first, VertexId{0}});
-  for (; extra != halves_extras_.end() && extra->first == first; ++extra)
-    vertices.push_back(extra->second);
+  const auto& halves = halves_extras();
+  auto extra = std::lower_bound(halves.begin(), halves.end(), std::pair{first, VertexId{0}});
+  for (; extra != halves.end() && extra->first == first; ++extra) vertices.push_back(extra->second);
 }
 
 }  // namespace quadbound

@@ -78,13 +78,15 @@ class TreeMesh {
           visit(Cell{block, q}, template_tree_.centre(node, q));
     }
   }
+  /// Whether a vertex is the centre of a leaf, moved or not.
+  [[nodiscard]] bool is_centre(VertexId vertex) const { return template_tree_.is_centre(vertex); }
   /// The vertices of the leaves, less halves_extras: those of a leaf follow its centre, up to the
   /// next centre or this number.
   [[nodiscard]] VertexId vertices_of_leaves() const { return template_tree_.vertices_of_leaves(); }
   /// Extra points of the case 2,2, which are numbered after all others, with the centre of their
   /// leaf before them; ascending.
   [[nodiscard]] const std::vector<std::pair<VertexId, VertexId>>& halves_extras() const {
-    return halves_extras_;
+    return template_tree_.halves_extras();
   }
 
   /// The leaf and the mesh vertex of a vertex of the domain.
@@ -98,8 +100,11 @@ class TreeMesh {
   /// of a leaf outside the window.
   template <class Visit>
   void for_grids_with(Cell leaf, const Visit& visit) const {
-    if (!has(leaf)) return;
-    const VertexId vertex = centre(leaf);
+    if (has(leaf)) for_grids_at(centre(leaf), visit);
+  }
+  /// The same, by the centre of the leaf.
+  template <class Visit>
+  void for_grids_at(VertexId vertex, const Visit& visit) const {
     if (grid_of_[vertex] == kNoSite) return;
     visit(grid_of_[vertex]);
     auto other =
@@ -129,7 +134,6 @@ class TreeMesh {
   std::vector<std::pair<VertexId, EdgeId>> other_grids_;  ///< further ones, sorted
   std::vector<std::uint32_t> first_quad_;
   std::vector<QuadId> quads_at_;
-  std::vector<std::pair<VertexId, VertexId>> halves_extras_;
 };
 
 }  // namespace quadbound

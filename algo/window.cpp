@@ -57,16 +57,10 @@ class Window::Marking {
   std::vector<Square> squares_;  ///< a stack
 };
 
-Window::Window(const Quadtree& tree, BlockId known) {
-  std::vector<BlockId> parents;
-  for (BlockId block = known; block < tree.blocks().size(); ++block)
-    parents.push_back(tree.blocks()[block].parent);
-  mark(tree, parents);
-}
-
-Window::Window(const Quadtree& tree, const std::vector<Cell>& cells) {
+Window::Window(const Quadtree& tree, BlockId known, const std::vector<Cell>& cells) {
   std::vector<BlockId> nodes;
-  nodes.reserve(cells.size());
+  for (BlockId block = known; block < tree.blocks().size(); ++block)
+    nodes.push_back(tree.blocks()[block].parent);
   for (const Cell cell : cells) nodes.push_back(cell.block);
   mark(tree, nodes);
 }

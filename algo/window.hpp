@@ -21,10 +21,8 @@ class Window {
  public:
   /// The whole tree, all of it core.
   Window() = default;
-  /// Around what was split since the tree had `known` blocks.
-  Window(const Quadtree& tree, BlockId known);
-  /// Around some cells.
-  Window(const Quadtree& tree, const std::vector<Cell>& cells);
+  /// Around what was split since the tree had `known` blocks, and some cells.
+  Window(const Quadtree& tree, BlockId known, const std::vector<Cell>& cells = {});
 
   [[nodiscard]] bool is_whole() const { return parts_.empty(); }
   [[nodiscard]] bool has(BlockId block) const { return is_whole() || parts_[block] != 0; }

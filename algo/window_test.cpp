@@ -111,7 +111,7 @@ TEST(Window, OfCellsHasTheQuadsOfTheWholeTreeAtThem) {
   const std::set<PlacedQuad> whole = quads_in(tree, {});
   for (int round = 0; round < 20; ++round) {
     const std::vector<Cell> cells{random_leaf(tree, engine), random_leaf(tree, engine)};
-    const Window window(tree, cells);
+    const Window window(tree, static_cast<BlockId>(tree.blocks().size()), cells);
     EXPECT_LT(window.size(), tree.blocks().size());
     for (const Cell cell : cells) EXPECT_TRUE(window.is_core(cell));
     EXPECT_EQ(in_core(tree, window, quads_in(tree, window)), in_core(tree, window, whole));

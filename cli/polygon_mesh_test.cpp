@@ -334,6 +334,14 @@ TEST(Shapes, AttemptsLearnFromEachOther) {
   const auto tour = meshed(polygon_of("two-opt:n=100,seed=1"));
   EXPECT_EQ(tour.counters.rounds, 4U);
   EXPECT_EQ(tour.counters.restarts, 1U);
+  // Where K was pinched while edges were not separated yet is looked at again before the whole:
+  // one round more before, without and with a restart.
+  const auto coast = meshed(polygon_of("coast:n=300,seed=8"));
+  EXPECT_EQ(coast.counters.rounds, 2U);
+  EXPECT_EQ(coast.counters.restarts, 0U);
+  const auto untangled = meshed(polygon_of("two-opt:n=100,seed=11"));
+  EXPECT_EQ(untangled.counters.rounds, 4U);
+  EXPECT_EQ(untangled.counters.restarts, 1U);
 }
 
 /// A vertex exactly on a corner of the dyadic grid, with an edge of slope one third through it. In
