@@ -2,6 +2,7 @@
 #include "algo/strip_pieces.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace quadbound {
@@ -98,6 +99,29 @@ void offer_near(Vector from, Vector towards, int turn, BestCandidate& best) {
   }
 }
 
+/// Where the Steiner point of a hexagon may be.
+struct Place {
+  Vector s;
+  double slack = -1;
+};
+
+/// Uphill while the slack is below `most`. The step is halved while no neighbour is better; 2^-12
+/// of `size` is finer than the slack is worth.
+template <class SlackAt>
+Place climb(const SlackAt& slack_at, Place here, double size, double most) {
+  for (double step = size / 8; step > size * 0x1p-12 && here.slack < most;) {
+    bool better = false;
+    for (const Vector d : {Vector{step, 0}, Vector{-step, 0}, Vector{0, step}, Vector{0, -step}}) {
+      const double there = slack_at(here.s + d, here.slack);
+      if (!(there > here.slack)) continue;
+      here = {here.s + d, there};
+      better = true;
+    }
+    if (!better) step /= 2;
+  }
+  return here;
+}
+
 }  // namespace
 
 std::optional<Pentagon> mesh_pentagon(const Domain& domain, EdgeId edge, const FinePoint& x,
@@ -150,32 +174,19 @@ std::optional<Hexagon> mesh_hexagon(const FinePoint& x, const FinePoint& v, cons
     if (!(slack > least)) return slack;
     return std::min(slack, quad_slack({s, vc, vb, va}));
   };
-  double best = -1;
-  Vector at{};
-  for (const double part : {0.3, 0.45, 0.6, 0.8}) {
-    Vector here = part * vb;
-    double slack = slack_at(here, -1);
-    // Halve the step while no neighbour is better; 2^-12 of |vb| is finer than the slack is worth.
-    for (double step = length(vb) / 8; step > length(vb) * 0x1p-12 && slack < most;) {
-      bool better = false;
-      for (const Vector d :
-           {Vector{step, 0}, Vector{-step, 0}, Vector{0, step}, Vector{0, -step}}) {
-        const double there = slack_at(here + d, slack);
-        if (!(there > slack)) continue;
-        slack = there;
-        here = here + d;
-        better = true;
-      }
-      if (!better) step /= 2;
-    }
-    if (slack > best) {
-      best = slack;
-      at = here;
-    }
-    if (best >= most) break;
+  constexpr std::array<double, 4> kParts{0.3, 0.45, 0.6, 0.8};
+  std::array<Place, 4> starts{};
+  for (unsigned k = 0; k < 4; ++k) starts[k] = {kParts[k] * vb, slack_at(kParts[k] * vb, -1)};
+  std::stable_sort(starts.begin(), starts.end(),
+                   [](const Place& p, const Place& q) { return p.slack > q.slack; });
+  Place best{};
+  for (const Place& start : starts) {
+    const Place top = climb(slack_at, start, length(vb), most);
+    if (top.slack > best.slack) best = top;
+    if (best.slack >= kEnoughSlack) break;
   }
-  if (best <= kSmallestSlack) return std::nullopt;
-  const LatticePoint s = nearest_lattice_point(v, at);
+  if (best.slack <= kSmallestSlack) return std::nullopt;
+  const LatticePoint s = nearest_lattice_point(v, best.s);
   const double slack = slack_at(on_lattice(s) - v, kSmallestSlack);
   if (!(slack > kSmallestSlack)) return std::nullopt;
   return Hexagon{slack, s};
