@@ -46,6 +46,7 @@ void CutQuads::look_at_met_leaves(const EdgeCells& edge_cells) {
   std::vector<EdgeId> last_edges(is_cut_.size(), 0xFFFF'FFFFU);
   std::vector<VertexId> vertices;
   edge_cells.for_met([&](Cell leaf, std::span<const EdgeId> edges) {
+    if (!tree_mesh_.has(leaf)) return;
     vertices.clear();
     tree_mesh_.append_vertices_of(leaf, vertices);
     for (const VertexId v : vertices)

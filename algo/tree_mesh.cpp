@@ -24,17 +24,18 @@ TreeMesh::TreeMesh(const Domain& domain, const Separation& separation, const Edg
       window_(std::move(window)),
       template_tree_(tree_, window_),
       cell_of_(separation.cell_of_point()) {
-  leave_out_outside(edge_cells);
+  leave_out_leaves(edge_cells);
   mesh_ = quadrangulate(template_tree_, tree_.root(), TwoTwoVariant::kExact, counters);
   place_sites(domain);
   link_quads();
 }
 
-void TreeMesh::leave_out_outside(const EdgeCells& edge_cells) {
+void TreeMesh::leave_out_leaves(const EdgeCells& edge_cells) {
   for (BlockId block = 0; block < tree_.blocks().size(); ++block) {
     if (!window_.has(block)) continue;
     for (const Quadrant q : kQuadrants)
-      if (tree_.is_leaf({block, q}) && edge_cells.where({block, q}) == Where::kOutside)
+      if (tree_.is_leaf({block, q}) &&
+          (edge_cells.where({block, q}) == Where::kOutside || !window_.is_core({block, q})))
         template_tree_.leave_out(template_tree_.node_of(block), q);
   }
 }
@@ -50,7 +51,7 @@ void TreeMesh::place_sites(const Domain& domain) {
       if (has(there)) site_near_[centre(there)] = site;
     });
     mark_grid(site);
-    if (!window_.has(cell.block)) continue;
+    if (!has(cell)) continue;
     vertex_of_[site] = centre(cell);
     site_near_[vertex_of_[site]] = site;
     mesh_.vertices.move_to(vertex_of_[site], domain.floor(site));

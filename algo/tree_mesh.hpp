@@ -24,7 +24,7 @@ using QuadId = std::uint32_t;
 
 /// Guarantees: 1. The centre of the cell of a domain's vertex is moved onto that vertex (rounded
 /// down to the lattice); nothing else is moved. 2. quads_at lists every quad of a vertex once,
-/// ascending. 3. Of a window all is there that lies in it; cells and sites outside have no
+/// ascending. 3. Of a window all quads at its core are there; cells and sites that have none have no
 /// vertices. 4. Quads that lie outside the domain, and no edge near any of their leaves, are left
 /// out, and so are leaves that have only such quads; quads and vertices keep the order of Q.
 /// Requires: tree and domain outlive it, and stay as they are. Complexity: linear.
@@ -91,7 +91,7 @@ class TreeMesh {
 
   /// The leaf and the mesh vertex of a vertex of the domain.
   [[nodiscard]] Cell cell_of(EdgeId site) const { return cell_of_[site]; }
-  /// kNoVertex outside the window.
+  /// kNoVertex where its cell has none.
   [[nodiscard]] VertexId vertex_of(EdgeId site) const { return vertex_of_[site]; }
   /// The vertex of the domain whose cell or one of the 8 cells around it has its centre here; or
   /// kNoSite.
@@ -117,7 +117,7 @@ class TreeMesh {
 
  private:
   [[nodiscard]] VertexId vertices_of_leaf(NodeId node, Quadrant q) const;
-  void leave_out_outside(const EdgeCells& edge_cells);
+  void leave_out_leaves(const EdgeCells& edge_cells);
   void link_quads();
   void place_sites(const Domain& domain);
   void mark_grid(EdgeId site);
