@@ -218,8 +218,7 @@ class TemplateWalk {
     quad(Construction::kOneFour, far_leaf.level, a, c, s2, visitor_.outer(near_leaf), e);
   }
 
-  // --- Figure 6 and T2a: the two-leaf cases
-  // -------------------------------------------------------
+  // --- Figure 6 and T2a: the two-leaf cases ------------------------------------------------------
 
   /// What faces one of the two leaves: a leaf with its outer extra, or two leaves without or with
   /// extras. `s_outer` and `s_inner` are the centres, `middle` the leaf at the inner end.
@@ -341,8 +340,7 @@ class TemplateWalk {
     visitor_.set_fate(leaf, travels_north_south(c) ? ExtraFate::kMirroredY : ExtraFate::kMirroredX);
   }
 
-  // --- corner points
-  // ------------------------------------------------------------------------------
+  // --- corner points -----------------------------------------------------------------------------
 
   /// Or the hole that it is in.
   CellRef corner_leaf(CellRef cell, Quadrant corner) const {

@@ -110,8 +110,7 @@ class FaultFinder {
     return pair;
   }
 
-  // --- the window
-  // ---------------------------------------------------------------------------------
+  // --- the window --------------------------------------------------------------------------------
 
   /// Quads and vertices are looked at in the order of their numbers, which is depth first.
   [[nodiscard]] Cell leaf_of(VertexId vertex) { return leaves_.leaf_at(tree_mesh_.at(vertex)); }
@@ -150,8 +149,7 @@ class FaultFinder {
   std::vector<SeparationFault> faults_;
 };
 
-// --- gaps
-// ------------------------------------------------------------------------------------------
+// --- gaps ----------------------------------------------------------------------------------------
 
 double distance_to_edge(const Domain& domain, EdgeId edge, const FinePoint& point) {
   const Vector d = domain.direction(edge);

@@ -311,8 +311,7 @@ TEST(KeptQuads, AlphasCloseWithKOnTheirLeftAndThereIsOneForEachRing) {
   }
 }
 
-// --- pieces of the strip
-// --------------------------------------------------------------------------
+// --- pieces of the strip -------------------------------------------------------------------------
 
 /// A quad in lattice units, with feet where they exactly are.
 bool is_within_bounds(const std::array<RationalPoint, 4>& quad) {
@@ -410,8 +409,7 @@ TEST(StripPieces, AHexagonHasTheSlackItSaysAndKeepsTheBounds) {
   EXPECT_GT(meshed, 100U);
 }
 
-// --- SizeField
-// ------------------------------------------------------------------------------------
+// --- SizeField -----------------------------------------------------------------------------------
 
 TEST(SizeField, IsTheSmallestOfAllThatIsAskedFor) {
   const Polygon polygon = normalised({"square", {{{0, 0}, {8, 0}, {8, 8}, {0, 8}}}});

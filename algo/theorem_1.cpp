@@ -17,8 +17,7 @@ namespace {
 
 using Position = std::array<std::int64_t, 2>;
 
-// --- the classes of similar shapes
-// --------------------------------------------------------------------
+// --- the classes of similar shapes ---------------------------------------------------------------
 
 /// Mirrored in the diagonal first if `swapped`, then turned by quarter turns.
 ConfigurationShape transformed(const ConfigurationShape& shape, bool swapped, int turns) {
@@ -68,8 +67,7 @@ ConfigurationShape rotated_list(const ConfigurationShape& shape, std::size_t fir
   return result;
 }
 
-// --- angles of moving shapes
-// --------------------------------------------------------------------------
+// --- angles of moving shapes ---------------------------------------------------------------------
 
 /// A polynomial in two parameters s, t of [0, 1], of degree at most two in each.
 class Polynomial {
@@ -204,8 +202,7 @@ void prove(Configuration& configuration, const Rational& half_side) {
   }
 }
 
-// --- the list
-// -----------------------------------------------------------------------------------------
+// --- the list ------------------------------------------------------------------------------------
 
 /// Collects shapes; positions are in quarters of the unit of paper/theorem-1.md, where the two
 /// leaves c and d have side 2 and centres (1, 1) and (1, 3), left of the line x = 2.

@@ -122,8 +122,7 @@ class FindingsFolder {
   const FuzzOptions& options_;
 };
 
-// --- tables and reports
-// ---------------------------------------------------------------------------
+// --- tables and reports --------------------------------------------------------------------------
 
 using Json = nlohmann::ordered_json;
 

@@ -125,8 +125,7 @@ class PanelDrawing {
   std::uint64_t highest_ = 1;
 };
 
-// --- the four panels
-// ------------------------------------------------------------------------------
+// --- the four panels -----------------------------------------------------------------------------
 
 Panel angles_panel(const Histogram& histogram, double (*start)(std::int64_t), const char* title,
                    double low, double high) {

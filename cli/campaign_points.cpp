@@ -17,8 +17,7 @@
 namespace quadbound::cli {
 namespace {
 
-// --- findings
-// -------------------------------------------------------------------------------------
+// --- findings ------------------------------------------------------------------------------------
 
 std::string_view grid_name(GridRefinement refinement) {
   return refinement == GridRefinement::kFiveByFive ? "5x5" : "6x6";
@@ -61,8 +60,7 @@ class PointFindings {
   std::mutex mutex_;
 };
 
-// --- the campaign
-// ---------------------------------------------------------------------------------
+// --- the campaign --------------------------------------------------------------------------------
 
 CampaignTally work(const PointCampaign& campaign, CaseNumbers& numbers, PointFindings& findings) {
   CampaignTally tally;
@@ -92,8 +90,7 @@ CampaignTally run_campaign(const FuzzOptions& options, const PointCampaign& camp
   return tally;
 }
 
-// --- the table
-// ------------------------------------------------------------------------------------
+// --- the table -----------------------------------------------------------------------------------
 
 std::string table_row(const std::string& family, const FamilyTally& t) {
   return fmt::format(
@@ -124,8 +121,7 @@ std::string table(const CampaignTally& tally) {
                     total.beyond_rounding);
 }
 
-// --- the report
-// -----------------------------------------------------------------------------------
+// --- the report ----------------------------------------------------------------------------------
 
 Json json_of(const FamilyTally& t) {
   return {{"sets", t.sets},

@@ -132,8 +132,7 @@ class PolygonSearch {
   std::map<std::uint64_t, std::string> lost_;
 };
 
-// --- what is told
-// ---------------------------------------------------------------------------------
+// --- what is told --------------------------------------------------------------------------------
 
 std::string search_table(const FuzzOptions& options, const PolygonSearch& search) {
   std::string text = fmt::format("{:>6} {:>6} {:>22} {:>22} {:>8} {:>8}  {}\n", "climb", "tries",

@@ -19,8 +19,7 @@
 namespace quadbound::cli {
 namespace {
 
-// --- making a case
-// --------------------------------------------------------------------------------
+// --- making a case -------------------------------------------------------------------------------
 
 PointRecipe any_recipe(RandomIntegers& random, const std::string& family, std::uint64_t max_n) {
   const FamilyDescription& description = find_family(point_families(), family);
@@ -91,8 +90,7 @@ void transform_points(PointCase& made) {
   made.points.points = std::move(kept);
 }
 
-// --- trying it
-// ------------------------------------------------------------------------------------
+// --- trying it -----------------------------------------------------------------------------------
 
 /// Whether a refusal for depth was due. The factor 3/2 makes up for the norm (at most the square
 /// root of 2) and for all rounding.
@@ -147,8 +145,7 @@ CaseResult meshed(const PointCase& made, const PointMeshOptions& options) {
   return result;
 }
 
-// --- tallies
-// --------------------------------------------------------------------------------------
+// --- tallies -------------------------------------------------------------------------------------
 
 void keep_smaller(std::optional<Corner<Rational>>& kept, const std::optional<Corner<Rational>>& c) {
   if (c && (!kept || smaller_angle(*c, *kept))) kept = c;

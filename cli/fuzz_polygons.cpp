@@ -17,8 +17,7 @@
 namespace quadbound::cli {
 namespace {
 
-// --- making a case
-// --------------------------------------------------------------------------------
+// --- making a case -------------------------------------------------------------------------------
 
 constexpr std::uint64_t kSmallestN = 4;
 
@@ -55,8 +54,7 @@ PolygonRecipe any_recipe(RandomIntegers& random, const std::string& family, std:
   return recipe;
 }
 
-// --- angles by construction
-// -----------------------------------------------------------------------
+// --- angles by construction ----------------------------------------------------------------------
 
 /// A vertex as an integer part and a fraction in units of the lattice, so that differences between
 /// neighbours are accurate to the last digits of a double.
@@ -144,8 +142,7 @@ class ConstructionSurvey {
   std::array<ExtremeCorner, kPolygonConstructionCount> largest_{};
 };
 
-// --- trying it
-// ------------------------------------------------------------------------------------
+// --- trying it -----------------------------------------------------------------------------------
 
 PolygonCounts counts_of(const PolygonCounters& c) {
   const auto& widened = c.insertion.alpha_vertices_by_level;
@@ -224,8 +221,7 @@ PolygonResult judged(const Polygon& polygon, const PolygonMesh& made, const Poly
   return result;
 }
 
-// --- results as text
-// ------------------------------------------------------------------------------
+// --- results as text -----------------------------------------------------------------------------
 
 using Json = nlohmann::json;
 

@@ -43,8 +43,7 @@ PolygonCampaign all_families() {
   return campaign;
 }
 
-// --- cases
-// ----------------------------------------------------------------------------------------
+// --- cases ---------------------------------------------------------------------------------------
 
 TEST(PolygonCampaign, CasesDependOnTheSeedAndTheIndexAlone) {
   const PolygonCampaign campaign = all_families();
@@ -122,8 +121,7 @@ TEST(PolygonCampaign, ABudgetIsARefusal) {
   EXPECT_NE(result.detail, "");
 }
 
-// --- tallies
-// --------------------------------------------------------------------------------------
+// --- tallies -------------------------------------------------------------------------------------
 
 struct TallyCase {
   std::uint64_t index;
@@ -202,8 +200,7 @@ TEST(PolygonTally, BinsOfRatiosAreFourToAnOctave) {
   EXPECT_EQ(ratio_bin_start(-4), 0.5);
 }
 
-// --- climbs
-// ---------------------------------------------------------------------------------------
+// --- climbs --------------------------------------------------------------------------------------
 
 TEST(PolygonSearch, ChangesAreValidPolygonsOnTheLattice) {
   RandomIntegers random(1);
@@ -244,8 +241,7 @@ TEST(PolygonSearch, AClimbKeepsWhatIsFurtherAndSurvivesItsTextForm) {
   EXPECT_EQ(to_text(climb_from_text(to_text(once))), to_text(once));
 }
 
-// --- child processes
-// ------------------------------------------------------------------------------
+// --- child processes -----------------------------------------------------------------------------
 
 TEST(IsolatedTask, AnswersHoweverLong) {
   std::string long_text(1 << 20, 'x');
@@ -285,8 +281,7 @@ TEST(IsolatedTask, OutOfMemoryIsAnOutcome) {
   EXPECT_EQ(outcome.end, TaskEnd::kNoMemory);
 }
 
-// --- the shrinker
-// ---------------------------------------------------------------------------------
+// --- the shrinker --------------------------------------------------------------------------------
 
 TEST(ShrinkPolygon, LeavesATriangleWhereAnythingFails) {
   const Polygon small = shrunk(

@@ -43,8 +43,7 @@ constexpr std::chrono::seconds kSilence{5};
 constexpr std::chrono::seconds kSilenceOfRank0{300};
 constexpr std::chrono::milliseconds kNap{2};
 
-// --- messages
-// -------------------------------------------------------------------------------------
+// --- messages ------------------------------------------------------------------------------------
 
 struct Answer {
   std::uint64_t index = 0;
@@ -85,8 +84,7 @@ std::string receive_text(const mpi::communicator& world, const mpi::status& stat
   return text;
 }
 
-// --- rank 0
-// ---------------------------------------------------------------------------------------
+// --- rank 0 --------------------------------------------------------------------------------------
 
 class MpiWorkers : public CaseWorkers {
  public:
@@ -202,8 +200,7 @@ class MpiWorkers : public CaseWorkers {
   Clock::time_point last_sign_{};
 };
 
-// --- the other ranks
-// ------------------------------------------------------------------------------
+// --- the other ranks -----------------------------------------------------------------------------
 
 /// Tries the cases that rank 0 hands out.
 class Servant {

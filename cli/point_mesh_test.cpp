@@ -84,8 +84,7 @@ std::string broken_claims(const Report& report) {
   return text;
 }
 
-// --- deterministic
-// --------------------------------------------------------------------------------
+// --- deterministic -------------------------------------------------------------------------------
 
 struct Golden {
   const char* recipe;
@@ -114,8 +113,7 @@ TEST(Deterministic, TheSameSetGivesTheSameBytesTwice) {
         << recipe;
 }
 
-// --- metamorphic: what must not change the mesh
-// -----------------------------------------------------
+// --- metamorphic: what must not change the mesh --------------------------------------------------
 
 PointSet moved(const PointSet& points, const Point& by) {
   PointSet result = points;
@@ -241,8 +239,7 @@ TEST(Metamorphic, MirroringAndTurningKeepTheCounts) {
     }
 }
 
-// --- the exact file
-// -------------------------------------------------------------------------------
+// --- the exact file ------------------------------------------------------------------------------
 
 void expect_equal(const Mesh& a, const Mesh& b) {
   ASSERT_EQ(a.vertices.size(), b.vertices.size());
@@ -265,8 +262,7 @@ TEST(ExactFile, GivesTheMeshBackForAllFamilies) {
   }
 }
 
-// --- thm-1
-// ----------------------------------------------------------------------------------------
+// --- thm-1 ---------------------------------------------------------------------------------------
 
 /// Four doubles among whole numbers with bits down to 2^-170: far below the lattice.
 PointSet set_finer_than_the_lattice() {
@@ -335,8 +331,7 @@ TEST(Theorem1, ThePapersTwoTwoCaseBreaksMaxAngleOnly) {
   EXPECT_GT(broken, 0U);
 }
 
-// --- the campaign itself
-// --------------------------------------------------------------------------
+// --- the campaign itself -------------------------------------------------------------------------
 
 TEST(PointCampaign, DependsOnTheSeedAndTheIndexAlone) {
   PointCampaign campaign;

@@ -28,8 +28,7 @@ bool is_in_shard(const PolygonCampaign& campaign, const Shard& shard, std::uint6
 /// That of --journal, or one in the folder of --findings.
 std::string journal_path(const FuzzOptions& options);
 
-// --- a case in a process of its own
-// ---------------------------------------------------------------
+// --- a case in a process of its own --------------------------------------------------------------
 
 /// The result as text of a case of a campaign; the work of a child process.
 std::string try_case(const PolygonCampaign& campaign, std::uint64_t index,
@@ -46,8 +45,7 @@ inline constexpr double kSecondsOfAShrinker = 60;
 /// Deadlines and signals are looked at so often.
 inline constexpr std::chrono::milliseconds kGlance{500};
 
-// --- findings
-// -------------------------------------------------------------------------------------
+// --- findings ------------------------------------------------------------------------------------
 
 /// The command that tries a file or a recipe as the campaign does.
 std::string replay_command(const std::string& what, const FuzzOptions& options);
@@ -74,8 +72,7 @@ class PolygonFindings {
   FindingsFolder folder_;
 };
 
-// --- what is told at the end
-// ----------------------------------------------------------------------
+// --- what is told at the end ---------------------------------------------------------------------
 
 std::string table(const PolygonTally& tally);
 
@@ -89,8 +86,7 @@ ExitStatus conclude(const FuzzOptions& options, const PolygonTally& tally, bool 
 /// "thm-13 proved: ...", "claim ...", or "refused: ...".
 std::string verdict_text(const PolygonResult& result);
 
-// --- other ways to run
-// ----------------------------------------------------------------------------
+// --- other ways to run ---------------------------------------------------------------------------
 
 /// The campaign of the options with these workers. `on_end` is called when no case is left, or on
 /// an interruption, before the summary is written. After an interruption it does not return.

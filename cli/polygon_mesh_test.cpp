@@ -135,8 +135,7 @@ Polygon nudged(const Polygon& polygon, std::uint64_t seed) {
   });
 }
 
-// --- named shapes
-// ---------------------------------------------------------------------------------
+// --- named shapes --------------------------------------------------------------------------------
 
 TEST(Shapes, PlateWithARoundHole) { EXPECT_EQ(flaw("plate:n=4"), ""); }
 
@@ -380,8 +379,7 @@ TEST(Departures, VerticesOnAnEdgeButForRounding) {
   EXPECT_EQ(counters.dead_end_splits, 0U);
 }
 
-// --- where the polygon is, and how large
-// ----------------------------------------------------------
+// --- where the polygon is, and how large ---------------------------------------------------------
 
 TEST(Coordinates, MovedFarAwayAndScaled) {
   for (const char* recipe : {"star:n=12,seed=1,holes=1", "regular:n=7", "growth:n=20,seed=3"}) {
@@ -393,8 +391,7 @@ TEST(Coordinates, MovedFarAwayAndScaled) {
   }
 }
 
-// --- random polygons
-// ------------------------------------------------------------------------------
+// --- random polygons -----------------------------------------------------------------------------
 
 std::vector<std::string> family_names() {
   std::vector<std::string> names;
@@ -433,8 +430,7 @@ INSTANTIATE_TEST_SUITE_P(Families, RandomPolygons, testing::ValuesIn(family_name
                            return name;
                          });
 
-// --- sizing
-// ---------------------------------------------------------------------------------------
+// --- sizing --------------------------------------------------------------------------------------
 
 double longest_edge(const Mesh& mesh, const auto& is_asked) {
   double longest = 0;
@@ -512,8 +508,7 @@ TEST(Sizing, CellsAreSmallAtTheBoundary) {
   EXPECT_GT(longest_edge(mesh, [](Point) { return true; }), 0.1);
 }
 
-// --- refusals
-// -------------------------------------------------------------------------------------
+// --- refusals ------------------------------------------------------------------------------------
 
 Refusal refusal(const Polygon& polygon, const PolygonMeshOptions& options = {}) {
   PolygonMeshResult result = mesh_polygon(normalised(polygon), options);
@@ -585,8 +580,7 @@ TEST(Refusals, TooFarFromTheOrigin) {
   }
 }
 
-// --- deterministic
-// --------------------------------------------------------------------------------
+// --- deterministic -------------------------------------------------------------------------------
 
 struct Golden {
   const char* recipe;

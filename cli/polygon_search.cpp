@@ -19,8 +19,7 @@
 namespace quadbound::cli {
 namespace {
 
-// --- objectives
-// -----------------------------------------------------------------------------------
+// --- objectives ----------------------------------------------------------------------------------
 
 constexpr std::size_t kFallBacks = 6;
 
@@ -45,8 +44,7 @@ double degrees(const Corner<Rational>& corner) {
   return JudgedCorner{{}, corner.cross, corner.dot}.degrees();
 }
 
-// --- changes of a polygon
-// -------------------------------------------------------------------------
+// --- changes of a polygon ------------------------------------------------------------------------
 
 constexpr int kLattice = -24;  // finer than that of the generators: 2^-20
 
@@ -179,8 +177,7 @@ class Change {
   RandomIntegers& random_;
 };
 
-// --- the climb
-// ------------------------------------------------------------------------------------
+// --- the climb -----------------------------------------------------------------------------------
 
 /// Another input near the one before; nullopt where the change came to nothing valid.
 std::optional<Climber> neighbour(const ClimbPlan& plan, const Climber& from, bool by_recipe,
@@ -218,8 +215,7 @@ void note_extremes(const Climber& of, Climb& climb) {
   }
 }
 
-// --- climbs as text
-// -------------------------------------------------------------------------------
+// --- climbs as text ------------------------------------------------------------------------------
 
 using Json = nlohmann::json;
 

@@ -16,8 +16,7 @@
 namespace quadbound::cli {
 namespace {
 
-// --- the table
-// ------------------------------------------------------------------------------------
+// --- the table -----------------------------------------------------------------------------------
 
 std::string family_row(const std::string& family, const PolygonFamilyTally& t) {
   return fmt::format(
@@ -68,8 +67,7 @@ std::string remarks_text(const std::string& title,
   return text;
 }
 
-// --- the summary
-// ----------------------------------------------------------------------------------
+// --- the summary ---------------------------------------------------------------------------------
 
 Json json_of(const Spread& spread) {
   return {{"min", spread.smallest}, {"mean", spread.mean()}, {"max", spread.largest}};

@@ -133,8 +133,7 @@ TEST(Metamorphic, TurnedAndMirroredPolygonsAreProved) {
   });
 }
 
-// --- point sets
-// -----------------------------------------------------------------------------------
+// --- point sets ----------------------------------------------------------------------------------
 
 struct Counts {
   std::uint64_t cells;

@@ -14,8 +14,7 @@ namespace {
 
 constexpr std::array kGrids{GridRefinement::kSixBySix, GridRefinement::kFiveByFive};
 
-// --- claims
-// ---------------------------------------------------------------------------------------
+// --- claims --------------------------------------------------------------------------------------
 
 TEST(Claims, Theorem13HoldsForPolygons) {
   Reached reached(Reached::Of::kPolygons);
@@ -53,8 +52,7 @@ TEST(Claims, Theorem1HoldsForPointSetsWithBothGrids) {
   });
 }
 
-// --- deterministic
-// --------------------------------------------------------------------------------
+// --- deterministic -------------------------------------------------------------------------------
 
 /// The report of the judge with so many threads.
 template <class Judge>
@@ -95,8 +93,7 @@ TEST(Deterministic, PointSetsGiveTheSameBytesTwiceAndOneReport) {
   });
 }
 
-// --- shrinking
-// ------------------------------------------------------------------------------------
+// --- shrinking -----------------------------------------------------------------------------------
 
 /// Follows the first smaller sample that is still bad, as rapidcheck does.
 template <class Sample>

@@ -29,8 +29,7 @@ double small_step(RandomIntegers& random) {
   return std::ldexp(static_cast<double>(random.between(-64, 64)), -8);
 }
 
-// --- changes, each on coordinates that are multiples of 2^-20
-// ---------------------------------------
+// --- changes, each on coordinates that are multiples of 2^-20 ------------------------------------
 
 void move_a_little(Polygon& polygon, RandomIntegers& random) {
   const Spot spot(polygon, random);

@@ -23,8 +23,7 @@ namespace {
 // The same random inputs in every run, unless the environment asks for others.
 [[maybe_unused]] const int kFixedSeed = ::setenv("RC_PARAMS", "seed=20120901", 0);
 
-// --- recipes
-// --------------------------------------------------------------------------------------
+// --- recipes -------------------------------------------------------------------------------------
 
 constexpr std::int64_t kFewRings = 3;
 constexpr std::int64_t kFewOfAKind = 12;
@@ -105,8 +104,7 @@ std::vector<Recipe> smaller_recipes(const Recipe& recipe, const FamilyDescriptio
   return smaller;
 }
 
-// --- shrinking
-// ------------------------------------------------------------------------------------
+// --- shrinking -----------------------------------------------------------------------------------
 
 template <class Sample>
 rc::Seq<Sample> smaller_by_recipe(const Sample& sample, std::span<const FamilyDescription> families,
@@ -164,8 +162,7 @@ rc::Seq<PointSample> smaller_point_sets(const PointSample& sample) {
 /// The number of vertices or points that goes with a size of rapidcheck, which grows to 100.
 std::int64_t most_at(int size, int full) { return 4 + full * size / rc::kNominalSize; }
 
-// --- names of constructions
-// -----------------------------------------------------------------------
+// --- names of constructions ----------------------------------------------------------------------
 
 template <class Counts, class Names>
 void add_each(std::map<std::string, std::uint64_t>& cases, const char* prefix, const Names& names,

@@ -23,8 +23,7 @@
 
 namespace quadbound::cli {
 
-// --- inputs
-// ---------------------------------------------------------------------------------------
+// --- inputs --------------------------------------------------------------------------------------
 
 /// A polygon of a recipe, or what shrinking left of one; valid and normalised.
 struct PolygonSample {
@@ -50,8 +49,7 @@ rc::Gen<PointSample> any_point_set();
 void showValue(const PolygonSample& sample, std::ostream& stream);
 void showValue(const PointSample& sample, std::ostream& stream);
 
-// --- what is done with them
-// -----------------------------------------------------------------------
+// --- what is done with them ----------------------------------------------------------------------
 
 /// Few enough cells for a test; larger meshes are no cases of a property.
 inline constexpr std::uint64_t kMostCells = 15'000;
@@ -84,8 +82,7 @@ PointSet mapped(PointSet points, Map map) {
   return points;
 }
 
-// --- what was reached
-// -----------------------------------------------------------------------------
+// --- what was reached ----------------------------------------------------------------------------
 
 /// Counts the cases of a property that reached each construction of the paper.
 class Reached {

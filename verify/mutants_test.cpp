@@ -17,8 +17,7 @@
 namespace quadbound::test {
 namespace {
 
-// --- agreement
-// ------------------------------------------------------------------------------------
+// --- agreement -----------------------------------------------------------------------------------
 
 /// What the judges are asked: about a set of points, or about a polygon.
 enum class Subject { points, polygon };

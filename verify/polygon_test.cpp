@@ -88,8 +88,7 @@ TEST(VerifyPolygon, TriangleBreaksAllQuad) {
   expect(made, {"all-quad"});
 }
 
-// --- boundary-kept: what holds
-// --------------------------------------------------------------------
+// --- boundary-kept: what holds -------------------------------------------------------------------
 
 TEST(BoundaryKept, SteinerPointsAreCountedPerEdge) {
   const Report report = expect(hole_with_thirds(0), {});
@@ -125,8 +124,7 @@ TEST(BoundaryKept, RingsMayComeInAnyOrderAndStartAnywhere) {
   expect(made, {});
 }
 
-// --- boundary-kept: what fails
-// --------------------------------------------------------------------
+// --- boundary-kept: what fails -------------------------------------------------------------------
 
 TEST(BoundaryKept, VertexOffItsEdgeByAUnitOrAThirdIsNamed) {
   for (const Rational& step :
@@ -300,8 +298,7 @@ TEST(BoundaryKept, DecidedAtTheLimitsOfTheLattice) {
   expect(made, {"boundary-kept", "area"}, {"no-overlap"});
 }
 
-// --- no-overlap, conforming, distinct-vertices, euler
-// ---------------------------------------------
+// --- no-overlap, conforming, distinct-vertices, euler --------------------------------------------
 
 TEST(NoOverlap, DoubledQuadBreaksConformity) {
   Case made = square();
@@ -346,8 +343,7 @@ TEST(StrictlyConvex, WholeInputAngleOf180DegreesOrMoreBreaksItAlone) {
   }
 }
 
-// --- corner classes, min-angle, max-angle
-// ---------------------------------------------------------
+// --- corner classes, min-angle, max-angle --------------------------------------------------------
 
 /// Two quads: the first with a whole corner at the origin, between the x axis and (run, rise).
 Case acute_wedge(int run, int rise) {
@@ -441,8 +437,7 @@ TEST(MinAngle, OtherBoundsMayBeAskedFor) {
   EXPECT_NE(report.find("size-3N"), nullptr);
 }
 
-// --- size-5N, the report
-// --------------------------------------------------------------------------
+// --- size-5N, the report -------------------------------------------------------------------------
 
 TEST(Size5N, ExactlyFivePerCellHoldsAndOneMoreFails) {
   Case made = square_with_hole();  // 15 quads

@@ -72,8 +72,7 @@ TEST(VerifyPoints, UnusedVerticesAreCountedAndBreakNothing) {
   EXPECT_EQ(expect(made, {}).unused_vertices, 2U);
 }
 
-// --- all-quad
-// -------------------------------------------------------------------------------------
+// --- all-quad ------------------------------------------------------------------------------------
 
 TEST(AllQuad, TriangleBreaksIt) {
   Case made = square_grid(2, 2);
@@ -111,8 +110,7 @@ TEST(AllQuad, RepeatedVertexBreaksIt) {
   }
 }
 
-// --- conforming and distinct-vertices
-// -------------------------------------------------------------
+// --- conforming and distinct-vertices ------------------------------------------------------------
 
 TEST(Conforming, DoubledQuadBreaksIt) {
   Case made = square_grid(3, 3);
@@ -176,8 +174,7 @@ TEST(DistinctVertices, TwoVerticesAtOnePlaceOnTheBoundaryAreFound) {
   EXPECT_EQ(report.find("distinct-vertices")->detail, "vertices 2 and 4 are at one place");
 }
 
-// --- strictly-convex
-// ------------------------------------------------------------------------------
+// --- strictly-convex -----------------------------------------------------------------------------
 
 TEST(StrictlyConvex, ConcaveQuadBreaksItAndTheUpperBound) {
   Case made = empty_case("concave", -4);
@@ -226,8 +223,7 @@ TEST(StrictlyConvex, MirroredMeshBreaksItEverywhere) {
   EXPECT_EQ(report.find("strictly-convex")->detail, "16 corners do not turn left");
 }
 
-// --- one-boundary and no-overlap
-// ------------------------------------------------------------------
+// --- one-boundary and no-overlap -----------------------------------------------------------------
 
 TEST(OneBoundary, DroppedQuadLeavesASecondLoop) {
   Case made = square_grid(3, 3);
@@ -331,8 +327,7 @@ TEST(NoOverlap, BoundaryVertexInsideOtherQuadsIsFound) {
   EXPECT_EQ(report.find("no-overlap")->place->vertex, 4U);
 }
 
-// --- points-kept
-// ----------------------------------------------------------------------------------
+// --- points-kept ---------------------------------------------------------------------------------
 
 TEST(PointsKept, PointNudgedByOneUlpIsFound) {
   for (const Case& base : {square_grid(3, 3), mapped(square_grid(3, 3), "moved", 3, 7, -2)}) {
@@ -377,8 +372,7 @@ TEST(PointsKept, RepeatedPointsAndPointsOffTheLatticeAreFound) {
   expect(made, {"points-kept"});
 }
 
-// --- min-angle, max-angle
-// -------------------------------------------------------------------------
+// --- min-angle, max-angle ------------------------------------------------------------------------
 
 /// One quad, from the corner at the origin.
 Case one_quad(const RationalPoint& next, const RationalPoint& opposite, const RationalPoint& last) {
@@ -480,8 +474,7 @@ TEST(Stored, OverflowAndUnderflowFail) {
   EXPECT_EQ(tiny.find("min-angle")->stored->verdict, StoredVerdict::fails);
 }
 
-// --- size-3N
-// --------------------------------------------------------------------------------------
+// --- size-3N -------------------------------------------------------------------------------------
 
 TEST(Size3N, ExactlyThreePerCellHoldsAndOneMoreFails) {
   Case made = square_grid(3, 3);
@@ -499,8 +492,7 @@ TEST(Size3N, NotDecidedWithoutCells) {
   expect(made, {}, {"size-3N"});
 }
 
-// --- places and the report
-// ------------------------------------------------------------------------
+// --- places and the report -----------------------------------------------------------------------
 
 TEST(Report, WorstCornerNamesConstructionAndLevel) {
   Case made = sheared_grid(2, 1, 1);

@@ -33,8 +33,7 @@ bool done(const std::function<void()>& action) {
   }
 }
 
-// --- polygons
-// -------------------------------------------------------------------------------------
+// --- polygons ------------------------------------------------------------------------------------
 
 void try_polygon(std::string_view text, PolygonFormat format) {
   Polygon polygon;
@@ -48,8 +47,7 @@ void try_polygon(std::string_view text, PolygonFormat format) {
           "another polygon comes back");
 }
 
-// --- point sets
-// -----------------------------------------------------------------------------------
+// --- point sets ----------------------------------------------------------------------------------
 
 void try_points(std::string_view text, PointFormat format) {
   PointSet points;
@@ -62,8 +60,7 @@ void try_points(std::string_view text, PointFormat format) {
           "other points come back");
 }
 
-// --- meshes
-// ---------------------------------------------------------------------------------------
+// --- meshes --------------------------------------------------------------------------------------
 
 bool same_place(const Mesh& a, VertexId i, const Mesh& b, VertexId j, bool rounded) {
   return rounded ? a.vertices.rounded(i) == b.vertices.rounded(j)
