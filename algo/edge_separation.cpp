@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <tuple>
@@ -139,7 +140,17 @@ class FaultFinder {
       largest = std::max(largest, tree_mesh_.tree().side_bits(leaves.back()));
     }
     for (const Cell leaf : leaves)
-      if (tree_mesh_.tree().side_bits(leaf) == largest) faults_.push_back({leaf, edge, other});
+      if (tree_mesh_.tree().side_bits(leaf) == largest) add({leaf, edge, other});
+  }
+
+  /// A leaf is at fault for all quads and vertices around it, mostly because of the same edges.
+  void add(const SeparationFault& fault) {
+    if (last_fault_.empty()) last_fault_.resize(tree_mesh_.tree().blocks().size());
+    std::uint32_t& last = last_fault_[fault.split.block][fault.split.quadrant];
+    if (last != 0 && faults_[last - 1].edge == fault.edge && faults_[last - 1].other == fault.other)
+      return;
+    faults_.push_back(fault);
+    last = static_cast<std::uint32_t>(faults_.size());
   }
 
   const Domain& domain_;
@@ -147,6 +158,8 @@ class FaultFinder {
   const CutQuads& cut_quads_;
   LeafFinder leaves_;
   std::vector<SeparationFault> faults_;
+  /// By leaf the number of its last fault, from 1; 0 where it has none.
+  std::vector<std::array<std::uint32_t, 4>> last_fault_;
 };
 
 // --- gaps ----------------------------------------------------------------------------------------

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -277,6 +278,132 @@ TEST(CutQuads, VerticesLessThanFourUnitsAboveAnEdgeCountAsOnIt) {
     }
     EXPECT_GT(seen, 0U) << units;
   }
+}
+
+/// separation_faults by all pairs of edges, with 5x5 grids by their coordinates.
+class SlowFaults {
+ public:
+  using Corner = std::pair<std::int64_t, std::int64_t>;
+  using Fault = std::pair<Corner, std::pair<EdgeId, EdgeId>>;
+  explicit SlowFaults(const Stage& stage) : stage_(stage), tree_mesh_(stage.tree_mesh()) {
+    for (const Cut& a : stage.cut_quads().cuts())
+      for (const Cut& b : stage.cut_quads().cuts())
+        if (a.quad == b.quad && a.edge < b.edge && !near_common_vertex(a.quad, a.edge, b.edge) &&
+            is_left(a.quad, a.edge, b.edge) && is_left(a.quad, b.edge, a.edge))
+          blame(a.quad, a.edge, b.edge);
+    of_quads_ = faults_;
+    for (VertexId v = 0; v < tree_mesh_.mesh().vertices.size(); ++v) check(v);
+  }
+  /// Those of (i).
+  [[nodiscard]] const std::set<Fault>& of_quads() const { return of_quads_; }
+  [[nodiscard]] const std::set<Fault>& faults() const { return faults_; }
+  [[nodiscard]] Corner corner(Cell leaf) const {
+    const LatticePoint at = tree_mesh_.tree().corner(leaf);
+    return {at.x, at.y};
+  }
+
+ private:
+  [[nodiscard]] Cell leaf_of(VertexId v) const { return tree_mesh_.leaf_of(v); }
+
+  [[nodiscard]] bool in_grid(VertexId v, EdgeId site) const {
+    const Quadtree& tree = tree_mesh_.tree();
+    const Cell cell = tree_mesh_.cell_of(site);
+    const Cell leaf = leaf_of(v);
+    const std::int64_t side = std::int64_t{1} << tree.side_bits(cell);
+    return tree.side_bits(leaf) == tree.side_bits(cell) &&
+           std::abs(tree.corner(leaf).x - tree.corner(cell).x) <= 2 * side &&
+           std::abs(tree.corner(leaf).y - tree.corner(cell).y) <= 2 * side;
+  }
+
+  [[nodiscard]] bool near_common_vertex(QuadId quad, EdgeId e, EdgeId f) const {
+    const auto all_near = [&](EdgeId site) {
+      return std::ranges::all_of(tree_mesh_.mesh().quads[quad],
+                                 [&](VertexId v) { return in_grid(v, site); });
+    };
+    return (stage_.domain().next(e) == f && all_near(f)) ||
+           (stage_.domain().next(f) == e && all_near(e));
+  }
+
+  /// Whether the middle of what `of` has in the quad is on the left of an edge.
+  [[nodiscard]] bool is_left(QuadId quad, EdgeId edge, EdgeId of) const {
+    const auto part = part_within(stage_, tree_mesh_.mesh().quads[quad], of);
+    const Rational middle =
+        (std::max(part->first, Rational(0)) + std::min(part->second, Rational(1))) / 2;
+    const RationalPoint a = in_units(stage_.domain(), of);
+    const RationalPoint b = in_units(stage_.domain(), stage_.domain().next(of));
+    return cross_of(in_units(stage_.domain(), edge),
+                    in_units(stage_.domain(), stage_.domain().next(edge)),
+                    {a.x + middle * (b.x - a.x), a.y + middle * (b.y - a.y)}) > 0;
+  }
+
+  void check(VertexId v) {
+    const auto above = stage_.cut_quads().above(v);
+    if (above.empty()) return;
+    bool in_some_grid = false;
+    for (EdgeId site = 0; site < stage_.domain().size(); ++site) {
+      if (!in_grid(v, site)) continue;
+      in_some_grid = true;
+      for (const Above& a : above)
+        if (a.edge != site && a.edge != stage_.domain().previous(site)) blame_at(v, a.edge, site);
+    }
+    if (!in_some_grid && above.size() > 1) blame_at(v, above.front().edge, above.back().edge);
+  }
+
+  void blame_at(VertexId v, EdgeId e, EdgeId f) {
+    for (const QuadId quad : tree_mesh_.quads_at(v))
+      if (stage_.cut_quads().is_cut(quad)) blame(quad, e, f);
+  }
+
+  void blame(QuadId quad, EdgeId e, EdgeId f) {
+    const Quadtree& tree = tree_mesh_.tree();
+    int largest = 0;
+    for (const VertexId v : tree_mesh_.mesh().quads[quad])
+      largest = std::max(largest, tree.side_bits(leaf_of(v)));
+    for (const VertexId v : tree_mesh_.mesh().quads[quad])
+      if (tree.side_bits(leaf_of(v)) == largest)
+        faults_.insert({corner(leaf_of(v)), std::minmax(e, f)});
+  }
+
+  const Stage& stage_;
+  const TreeMesh& tree_mesh_;
+  std::set<Fault> faults_;  ///< the corners of leaves, each with two edges
+  std::set<Fault> of_quads_;
+};
+
+/// Guarantees 1 to 3.
+TEST(SeparationFaults, AgainstAllPairsOfEdges) {
+  std::vector<Polygon> polygons = samples();
+  for (const char* recipe :
+       {"comb:n=40", "gear:n=60", "coast:n=200,seed=2", "growth:n=60", "two-opt:n=40,seed=3"})
+    polygons.push_back(normalised(generate_polygon(parse_polygon_recipe(recipe))));
+  std::size_t leaves_at_fault = 0;
+  std::size_t of_quads = 0;
+  for (const Polygon& polygon : polygons) {
+    const Stage stage(domain_of(polygon));
+    const SlowFaults slow(stage);
+    std::set<SlowFaults::Corner> expected;
+    for (const auto& [leaf, edges] : slow.faults()) expected.insert(leaf);
+    std::set<SlowFaults::Corner> found;
+    std::set<SlowFaults::Fault> pairs;
+    std::map<SlowFaults::Corner, std::pair<EdgeId, EdgeId>> last;
+    for (const SeparationFault& fault :
+         separation_faults(stage.domain(), stage.tree_mesh(), stage.cut_quads())) {
+      const SlowFaults::Corner leaf = slow.corner(fault.split);
+      const std::pair<EdgeId, EdgeId> edges{fault.edge, fault.other};
+      pairs.insert({leaf, std::minmax(fault.edge, fault.other)});
+      const auto [before, is_first] = last.try_emplace(leaf, edges);
+      EXPECT_TRUE(is_first || before->second != edges) << polygon.file;
+      before->second = edges;
+      found.insert(leaf);
+    }
+    EXPECT_EQ(found, expected) << polygon.file;
+    EXPECT_TRUE(std::ranges::includes(slow.faults(), pairs)) << polygon.file;
+    EXPECT_TRUE(std::ranges::includes(pairs, slow.of_quads())) << polygon.file;
+    leaves_at_fault += found.size();
+    of_quads += slow.of_quads().size();
+  }
+  EXPECT_GT(leaves_at_fault, 500U);
+  EXPECT_GT(of_quads, 10U);
 }
 
 TEST(KeptQuads, AlphasCloseWithKOnTheirLeftAndThereIsOneForEachRing) {
