@@ -30,7 +30,7 @@ struct PolygonCounters {
   std::uint64_t cells_before = 0;       ///< leaves before edge separation
   std::uint64_t rounds = 0;             ///< in which Q was made, of all attempts
   std::uint64_t local_rounds = 0;       ///< in which it was made around the last splits only
-  std::uint64_t separation_splits = 0;  ///< leaves that edge separation asked to split
+  std::uint64_t separation_splits = 0;  ///< leaves that edge separation named, some more than once
   std::uint64_t size_splits = 0;        ///< leaves that were too large for the sizing
   std::uint64_t dead_end_splits = 0;    ///< leaves split where no piece led on
   std::uint64_t kite_splits = 0;        ///< leaves split where a kite could not be filled
